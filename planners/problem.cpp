@@ -103,8 +103,7 @@ const AimPoint* Problem::aim_point_taken_by(Contact contact, const Vec2d& arrive
   return best;
 }
 
-bool Problem::keeps_cushions(const Shot& shot) const {
-  const auto& sent = shot.path.then;
+bool Problem::keeps_cushions(std::span<const ObjectBallPath> sent) const {
   return sent.empty() || static_cast<int>(sent.back().cushions.size()) <= then()->cushions_of(then()->links.size()).max;
 }
 

@@ -68,7 +68,8 @@ struct Problem {
   const Then* then() const { return then_of(puzzle.target); }
   /// Returns whether the last object ball of a shot uses no more cushions than the puzzle allows. A pot that counts by
   /// any cushions may be found by one too many; it leads to launches that use none.
-  bool keeps_cushions(const Shot& shot) const;
+  bool keeps_cushions(std::span<const ObjectBallPath> sent) const;
+  bool keeps_cushions(const Shot& shot) const { return keeps_cushions(shot.path.then); }
   /// Returns whether the cue ball goes off a first ball to another.
   bool carom() const { return first_of_carom(puzzle.target) != 0; }
   RouteBalls balls() const {

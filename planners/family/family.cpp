@@ -94,7 +94,10 @@ std::optional<Family::Tried> Family::foot() {
 
 void Family::climb_from(const Tried& from) {
   const Tried best = climb(from);
-  if (best.made()) keep(best);
+  if (best.made())
+    keep(best);
+  else if (drops())
+    look_for_jaw_shots({attempt_where_clear(best.at)});
 }
 
 Vector Family::near_start() const {

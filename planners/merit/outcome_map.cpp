@@ -75,7 +75,9 @@ bool OutcomeMap::is_made(double aim, Row& row) {
   std::size_t contacts = cushions.size() + static_cast<std::size_t>(r.jaws);
   for (const ObjectBallPath& ball : r.then) contacts += ball.cushions.size();
   const auto at = std::ranges::lower_bound(row.seen, aim, {}, &Seen::aim);
-  row.seen.insert(at, {aim, static_cast<int>(contacts), r.arrival.speed});
+  const auto& arrive = request_.puzzle().arrive;
+  const bool as_asked = (!arrive || arrive->contains(r.arrival.speed)) && request_.problem->keeps_cushions(r.then);
+  row.seen.insert(at, {aim, static_cast<int>(contacts), as_asked});
   return true;
 }
 
@@ -220,18 +222,12 @@ bool OutcomeMap::refine_changes(const Launch& best) {
   return false;
 }
 
-/// Returns whether the arrival speed is one that the puzzle gives; by default any will do.
-bool OutcomeMap::arrives_as_asked(const Seen& seen) const {
-  const auto& arrive = request_.puzzle().arrive;
-  return !arrive || arrive->contains(seen.arrival);
-}
-
-/// `row`: the one whose launches meet and arrive as this one does. Its value is below any if it arrives otherwise than
+/// `row`: the one whose launches meet and arrive as this one does. Its value is below any if that is not as
 /// asked.
 OutcomeMap::Best OutcomeMap::at(double aim, double speed, const Row& row) const {
   if (row.seen.empty()) return {launch(aim, speed), -infinite};
   const Seen& like = *std::ranges::min_element(row.seen, {}, [&](const Seen& s) { return std::abs(s.aim - aim); });
-  if (!arrives_as_asked(like)) return {launch(aim, speed), -infinite};
+  if (!like.as_asked) return {launch(aim, speed), -infinite};
   const double cost = cost_of({speed, aim}, shot_.spin) + cost_of_contacts(like.contacts);
   return {launch(aim, speed), success(aim, speed) - cost};
 }
@@ -276,7 +272,7 @@ double OutcomeMap::safest_aim(double speed) const {
 }
 
 /// The best launch of a speed: the likeliest, or that nearest to it among those that meet the least. If the likeliest
-/// arrives otherwise than asked, the likeliest of those that were tried and arrive so.
+/// is not as asked, the likeliest of those that were tried and are.
 OutcomeMap::Best OutcomeMap::best_at(double speed) const {
   const auto distance = [&](const Row& r) { return r.made() ? std::abs(r.speed - speed) : infinite; };
   const Row& row = *std::ranges::min_element(rows_, {}, distance);
@@ -298,7 +294,7 @@ std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() const {
   std::vector<Best> best;
   for (const Row& row : rows_) {
     double speed = row.speed;
-    if (std::ranges::none_of(row.seen, [&](const Seen& s) { return arrives_as_asked(s); })) continue;
+    if (std::ranges::none_of(row.seen, &Seen::as_asked)) continue;
     if (!row.made() || !bring_inside(speed, request_.speed)) continue;
     if (one_speed_ && row.speed != shot_.launch.speed) continue;
     if (const Best there = best_at(speed); there.value > -infinite) best.push_back(there);

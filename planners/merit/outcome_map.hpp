@@ -41,9 +41,9 @@ class OutcomeMap {
   };
   /// A launch that is made.
   struct Seen {
-    double aim;      ///< rad beside `origin_`
-    int contacts;    ///< cushions and jaws that its balls meet
-    double arrival;  ///< m/s, at the target
+    double aim;     ///< rad beside `origin_`
+    int contacts;   ///< cushions and jaws that its balls meet
+    bool as_asked;  ///< it arrives at a speed that the puzzle gives, and the object ball keeps to its cushions
   };
   /// The launches of one speed.
   struct Row {
@@ -66,7 +66,6 @@ class OutcomeMap {
   bool refine_changes(const Launch& best);
   std::vector<Best> best_so_far() const;
   Launch launch(double aim, double speed) const;
-  bool arrives_as_asked(const Seen& seen) const;
   Best at(double aim, double speed, const Row& row) const;
   Best best_at(double speed) const;
   double deviation(double speed) const;

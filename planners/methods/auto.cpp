@@ -61,7 +61,7 @@ void look(const SearchRequest& request, EvaluationBudget& budget, SearchResult& 
   improvement_pass(request, budget, found);
   if (request.all() || nothing_yet()) steps::map(request, budget, found, steps::usual_spacing(request));
   if (stop::more_wanted(request, budget, found)) steps::along(request, budget, found);
-  if (nothing_yet()) steps::parts(request, budget, found);
+  steps::parts(request, budget, found);
 }
 
 void with_spin(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
@@ -69,7 +69,7 @@ void with_spin(const SearchRequest& request, EvaluationBudget& budget, SearchRes
   if (stop::nothing_yet(budget, found)) steps::jaw_shots(request, budget, found);
   if (budget.cut()) return;
   if (stop::nothing_yet(budget, found)) steps::map(request, budget, found, fine);
-  if (stop::nothing_yet(budget, found)) steps::parts(request, budget, found);
+  steps::parts(request, budget, found);
   if (stop::nothing_yet(budget, found)) search_box(request, budget, found, steps::word::global);
 }
 
@@ -124,10 +124,7 @@ Seeds seeds_of(const SearchRequest& request) {
 /// is wanted a stage ends the search when no shot by so many cushions can be better.
 template <class Look>
 void each_stage(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Look& look) {
-  if (request.problem->carom()) {  // all cushions are followed at once
-    look(request);
-    return steps::parts(request, budget, found);
-  }
+  if (request.problem->carom()) return look(request);  // all cushions are followed at once
   const bool sent = request.problem->then() != nullptr;
   const CushionRule &cue = request.cue_cushions, object = sent ? request.object_cushions : CushionRule::exactly(0);
   const bool best = request.puzzle().prefer == Prefer::robust && !request.all() && !request.first();
@@ -142,7 +139,6 @@ void each_stage(const SearchRequest& request, EvaluationBudget& budget, SearchRe
       {
         const EvaluationBudget::Part part(budget, n < cue.max + object.max ? 2 : 1);
         look(stage);
-        if (request.problem->objects) steps::parts(stage, budget, found);
         if (budget.spent() && found.not_searched < 0) found.not_searched = n;
       }
       if (stop::over(request, budget, found)) return;
@@ -267,13 +263,15 @@ void with_freedom(const SearchRequest& request, EvaluationBudget& budget, Search
 void with_balls(const SearchRequest& asked, EvaluationBudget& budget, SearchResult& found) {
   SearchRequest request = asked;
   const bool moved = asked.problem->safest() && !asked.first();  // to a launch without a cushion too many
-  if (moved && asked.problem->then() && asked.problem->then()->counts_any_fall()) request.object_cushions.max = 1;
+  const Then* const then = asked.problem->then();
+  if (moved && then && then->counts_any_fall() && then->links.empty()) request.object_cushions.max = 1;
   const bool free = !is_ideal(request.puzzle().physics) && family::Family::freedom(request) > 0;
   if (free)
     along_families(request, budget, found);
   else
     each_stage(request, budget, found,
                [&, seeds = seeds_of(request)](const SearchRequest& stage) { seeds.first(stage, budget, found); });
+  steps::parts(request, budget, found);
   if (request.object_cushions.max > asked.object_cushions.max && !(value_in_hand(request, budget, found) > 0))
     std::erase_if(found.shots, [&](const Shot& shot) { return !request.problem->keeps_cushions(shot); });
   if (!stop::nothing_yet(budget, found)) return;

@@ -13,7 +13,6 @@
 #include "planners/settings.hpp"
 #include "planners/steps/steps.hpp"
 #include "planners/steps/widest.hpp"
-#include "planners/stop.hpp"
 
 namespace bankshot::planning::steps {
 namespace {
@@ -58,21 +57,19 @@ void parts(const SearchRequest& request, EvaluationBudget& budget, SearchResult&
   if (request.starts()) return;  // its leads are what is asked for
   std::vector<Candidate> leads;
   for (Candidate& lead : std::exchange(found.candidates, {})) {
-    if (stop::enough_seeds(request, budget, found)) return;
+    if (!found.shots.empty() || budget.spent()) return;
     const auto same = [&](const Candidate& known) {
       return alike(known.launch, lead.launch) && known.spin == lead.spin && known.aim_point == lead.aim_point &&
              known.route == lead.route;
     };
     if (std::ranges::any_of(leads, same)) continue;  // many pairs of routes lead to one root
     leads.push_back(std::move(lead));
-    const std::size_t before = found.shots.size();
     Widest(request, budget, found, leads.back()).find();
-    if (found.shots.size() > before) leads.back().half = 0;  // no more to be found there
   }
   if (!request.problem->objects) return;  // the map of one ball sees them
   std::ranges::stable_sort(leads, std::ranges::greater{}, &Candidate::room);
   for (const Candidate& lead : leads)
-    if (!stop::enough_seeds(request, budget, found) && hopeful(request, lead))
+    if (found.shots.empty() && !budget.spent() && hopeful(request, lead))
       bisect_candidate(request, budget, found, lead);
 }
 
