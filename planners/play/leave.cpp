@@ -18,6 +18,7 @@
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/certify.hpp"
 #include "planners/merit/first_order.hpp"
+#include "planners/merit/noise_scanlines.hpp"
 #include "planners/merit/rank.hpp"
 #include "planners/play/leave_success.hpp"
 #include "planners/play/rest.hpp"
@@ -39,6 +40,8 @@ using family::log_speed;
 struct Root {
   Branch branch;
   Vector x;
+  double slope = 0;             ///< m across the target for a radian of aim
+  std::optional<Range> made{};  ///< of a pocket: the widest range of shifts that are made
 };
 
 /// A launch that makes its target, and how it leaves the cue ball.
@@ -145,6 +148,7 @@ class Search {
         x[aim] = middle + angle_difference(wrap_angle(middle), x[aim]);
       }
       roots_.push_back({{request_, routes_.back(), c.aim_point}, x});
+      look_across(roots_.back());
       if (is_hopeful(roots_.back())) follow(roots_.back());
     }
   }
@@ -157,8 +161,8 @@ class Search {
     if (!proof.replayed || proof.shot.path.hits.empty()) return true;
     const SearchRequest own = request_.spinning(family::spin_of(root.x));
     add_first_order(own, proof.shot, budget_.work());
-    const double estimate =
-        std::max(proof.shot.robustness.success_estimate, estimate_in_middle(own, proof.shot, budget_.work()));
+    const double estimate = std::max(likely(root, middle_of(root), proof.shot),
+                                     estimate_in_middle(own, proof.shot, budget_.work()));
     return success_at_most(own, root.branch.aim_point, estimate) - cost_of_contacts(proof.shot.contacts()) > best;
   }
 
@@ -171,10 +175,60 @@ class Search {
     return out;
   }
 
+  /// Finds the widest range of places across a pocket that are made at the speed of a root.
+  void look_across(Root& root) {
+    if (!safest() || two_equations() || !root.branch.aim_point.drops()) return;
+    const auto at = family::look(root.branch, budget_, root.x, family::Vary::launch);
+    if (!at) return;
+    const double slope = at->off[0].by[aim] * request_.problem->boundary.diagonal;
+    root.slope = std::abs(slope);
+    constexpr int each_way = settings::aims_across / 2;
+    const double step = root.branch.aim_point.reach / each_way;
+    const auto is_made = [&](int i) {
+      Vector x = root.x;
+      x[aim] += i * step / slope;
+      const Proof proof = prove_at(x);
+      return proof.holds() && !banks_unasked(proof.shot);
+    };
+    for (int i = -each_way; i <= each_way; ++i) {
+      if (!is_made(i)) continue;
+      const int first = i;
+      while (i < each_way && is_made(i + 1)) ++i;
+      const Range run{(first - 0.5) * step, (i + 0.5) * step};
+      if (!root.made || run.high - run.low > root.made->high - root.made->low) root.made = run;
+    }
+  }
+
+  static double middle_of(const Root& root) { return root.made ? (root.made->low + root.made->high) / 2 : 0; }
+
+  /// Returns the success of a launch to first order, of a pocket in what is made across it at the speed of its root.
+  double likely(const Root& root, double shift, const Shot& shot) const {
+    const double estimate = shot.robustness.success_estimate, by_aim = norm(shot.verification.by_angle);
+    if (!root.made || !(by_aim > 0)) return estimate;
+    const Noise& noise = request_.puzzle().noise;
+    const double by_speed = dot(shot.verification.by_angle / by_aim, shot.verification.by_speed);
+    const double deviation = std::hypot(by_aim * noise.angle, by_speed * noise.speed_at(shot.launch.speed));
+    if (!(deviation > 0)) return estimate;
+    return std::max(estimate, normal_below((root.made->high - shift) / deviation) -
+                                  normal_below((root.made->low - shift) / deviation));
+  }
+
+  /// Returns places across the target of a root: the middle, or several where there is room for the player's errors
+  /// beside each.
+  std::vector<double> shifts_of(const Root& root) const {
+    if (!root.made) return {0};
+    const auto [low, high] = *root.made;
+    const double apart = room_for_errors * root.slope * request_.puzzle().noise.angle;
+    const int count = std::clamp(static_cast<int>((high - low) / apart), 1, most_shifts);
+    std::vector<double> out;
+    for (int i = 0; i < count; ++i) out.push_back(low + (high - low) * (i + 0.5) / count);
+    return out;
+  }
+
   /// Follows a root over speeds, spins and places across the target; then to the place asked for.
   void follow(const Root& root) {
     const std::size_t first = pool_.size();
-    std::vector<double> shifts{0};
+    std::vector<double> shifts = shifts_of(root);
     if (any_offset(root.branch)) {
       const Cuts& cuts = *root.branch.aim_point.cuts;
       for (int i = 1; i < contacts; ++i)
@@ -199,11 +253,19 @@ class Search {
         from[log_speed] = root.x[log_speed] + std::log(slowest) + i * std::log(fastest / slowest) / (grid_.speeds - 1);
       if (!box_.free(log_speed)) from[log_speed] = box_.low[log_speed];
       if (from[log_speed] < box_.low[log_speed] || from[log_speed] > box_.high[log_speed]) continue;
-      const auto there = on_target(root.branch, budget_, box_, from, shift);
-      if (!there) continue;
-      x = *there;
-      if (auto one = launched(root, x, shift)) pool_.push_back(*std::move(one));
+      auto one = launched_from(root, from, shift);
+      // At another speed than the root's the middle may be blocked.
+      if (!one && shift != 0 && !any_offset(root.branch)) one = launched_from(root, from, 0);
+      if (!one) continue;
+      x = one->x;
+      pool_.push_back(*std::move(one));
     }
+  }
+
+  /// From a launch near it.
+  std::optional<Launched> launched_from(const Root& root, const Vector& x, double shift, const Shot* like = nullptr) {
+    const auto there = on_target(root.branch, budget_, box_, x, shift);
+    return there ? launched(root, *there, shift, like) : std::nullopt;
   }
 
   Proof prove_at(const Vector& x, const Shot* like = nullptr) {
@@ -233,7 +295,7 @@ class Search {
     proof.shot.provenance.planner = steps::word::leave;
     proof.shot.provenance.simulations = budget_.simulations();
     Launched out{&root, x, shift, std::move(proof.shot), std::move(ending)};
-    out.promise = out.shot.robustness.success_estimate * worth_(out.ending) - cost_of(out.shot);
+    out.promise = likely(root, shift, out.shot) * worth_(out.ending) - cost_of(out.shot);
     return out;
   }
 
@@ -250,12 +312,14 @@ class Search {
       std::ranges::sort(from);
       std::set<std::pair<long, long>> known;
       for (std::size_t k = 0; k < std::min(grid_.nearest, from.size()) && !budget_.spent(); ++k) {
-        const auto at = place(root.branch, budget_, {route, standing_}, wanted, box_, pool_[from[k].second].x, vary());
+        const Launched& start = pool_[from[k].second];
+        const auto at =
+            place(root.branch, budget_, {route, standing_}, wanted, box_, start.x, start.shift, vary());
         if (!at) continue;
         // Two launches that agree to 1e-6 are one.
         constexpr double apart = 1e6;
         if (!known.insert({std::lround(at->x[aim] * apart), std::lround(at->x[log_speed] * apart)}).second) continue;
-        auto one = launched(root, at->x, 0);
+        auto one = launched(root, at->x, start.shift);
         if (!one) continue;
         one->promise = promise_of(*one, *at);
         reached.push_back(*std::move(one));
@@ -348,13 +412,13 @@ class Search {
     return moves;
   }
 
-  /// Compass search over the launches that reach the target, until the steps are halved so often. `is_better(one)` says
-  /// whether a launch is better than `best`, which it then becomes.
+  /// Compass search over the launches that reach the target, by steps of one size. `is_better(one)` says whether a
+  /// launch is better than `best`, which it then becomes.
   template <class IsBetter>
-  void climb(Launched& best, int times_halved, IsBetter&& is_better) {
+  void climb(Launched& best, double scale, IsBetter&& is_better) {
     const std::vector<Move> moves = moves_of(best);
-    for (double scale = 1; scale > std::ldexp(1.0, -times_halved) && !budget_.spent();) {
-      bool better = false;
+    for (bool better = true; better && !budget_.spent();) {
+      better = false;
       for (const Move& move : moves)
         for (const double sign : {1.0, -1.0}) {
           Vector x = best.x;
@@ -365,23 +429,33 @@ class Search {
             x[move.coordinate] = std::clamp(x[move.coordinate] + sign * scale * move.step, box_.low[move.coordinate],
                                             box_.high[move.coordinate]);
           if (x == best.x && shift == best.shift) continue;
-          const auto there = on_target(best.root->branch, budget_, box_, x, shift);
-          auto one = there ? launched(*best.root, *there, shift, &best.shot) : std::nullopt;
+          auto one = launched_from(*best.root, x, shift, &best.shot);
           if (!one || !is_better(*one)) continue;
           best = *std::move(one);
           better = true;
           break;
         }
-      if (!better) scale /= 2;
     }
   }
 
-  void improve(Launched& best) {
-    best.success = measured(best, step_plays);
-    climb(best, halvings, [&](Launched& one) {
-      one.success = measured(one, step_plays, best.value());
-      return one.value() > best.value();
-    });
+  /// Climbs from the best launches, from fewer of them with each halved step.
+  void improve() {
+    for (Launched& one : pool_) one.success = measured(one, step_plays);
+    double scale = 1;
+    for (const std::size_t some : improved) {
+      order();
+      for (Launched& best : std::span(pool_).first(std::min(told_apart(some), pool_.size()))) {
+        if (!(*best.success > 0)) continue;
+        climb(best, scale, [&](Launched& one) {
+          one.success = measured(one, step_plays, best.value());
+          return one.value() > best.value();
+        });
+      }
+      scale /= 2;
+    }
+    order();
+    pool_.resize(std::min(told_apart(improved.back()), pool_.size()));
+    for (Launched& one : pool_) one.success = measured(one, judged_plays);
   }
 
   bool on_place(const Launched& one) const {
@@ -408,17 +482,13 @@ class Search {
       if (known.insert(way_of(one)).second) best.push_back(std::move(one));
     }
     pool_ = std::move(best);
-    BestValues values(told_apart(improved));
+    BestValues values(told_apart(improved.front()));
     for (Launched& one : pool_) {
       one.success = measured(one, compared_plays, values.least());
       values.add(one.value());
     }
     order();
-    if (!request_.all() && pool_.size() > improved)
-      pool_.erase(pool_.begin() + static_cast<std::ptrdiff_t>(improved), pool_.end());
-    if (!(exact && on_place(pool_.front())) && request_.puzzle().prefer == Prefer::robust)
-      for (Launched& one : pool_)
-        if (*one.success > 0) improve(one), one.success = measured(one, judged_plays);
+    if (!(exact && on_place(pool_.front())) && request_.puzzle().prefer == Prefer::robust) improve();
     order();
     if (!request_.all()) return void(pool_.erase(pool_.begin() + 1, pool_.end()));
     std::set<std::pair<Route, Route>> listed;
@@ -439,7 +509,8 @@ class Search {
     for (Launched& one : pool_)
       if (nearest.size() < approached && known.insert(way_of(one)).second) nearest.push_back(std::move(one));
     for (Launched& best : nearest)
-      climb(best, approach_halvings, [&](const Launched& one) { return rank(one) < rank(best); });
+      for (int k = 0; k < approach_halvings; ++k)
+        climb(best, std::ldexp(1.0, -k), [&](const Launched& one) { return rank(one) < rank(best); });
     Launched& best = *std::ranges::min_element(nearest, {}, rank);
     best.success = measured(best, first_plays);
     pool_ = {std::move(best)};

@@ -131,7 +131,7 @@ TargetEquations equations_of(const Branch& a, const family::Point& point, double
 }
 
 std::optional<Placed> place(const Branch& a, EvaluationBudget& budget, const CuePath& cue, const Vec2d& wanted,
-                            const family::Box& box, Vector x, family::Vary vary) {
+                            const family::Box& box, Vector x, double shift, family::Vary vary) {
   const double diagonal = a.request.problem->boundary.diagonal;
   std::optional<Placed> best;
   double least = std::numeric_limits<double>::infinity();
@@ -144,7 +144,7 @@ std::optional<Placed> place(const Branch& a, EvaluationBudget& budget, const Cue
       x = (x + before) / 2;
       continue;
     }
-    const TargetEquations target = equations_of(a, *point, 0);
+    const TargetEquations target = equations_of(a, *point, shift);
     std::array<Value, 2> rest{Value{((*at)[0].a - wanted.x) / diagonal, (*at)[0].by / diagonal},
                               Value{((*at)[1].a - wanted.y) / diagonal, (*at)[1].by / diagonal}};
     const double off = std::hypot(rest[0].a, rest[1].a), missed = most_of(target.all());

@@ -46,9 +46,10 @@ struct Placed {
   Vec2d by_angle{}, by_log_speed{};  ///< m/rad; m
 };
 
-/// Returns the launch near `x` that reaches its target and rests at `wanted`, or as near to it as it can.
+/// Returns the launch near `x` that reaches its target, `shift` metres beside the exact line, and rests at `wanted`, or
+/// as near to it as it can.
 std::optional<Placed> place(const Branch& aim, EvaluationBudget& budget, const CuePath& cue, const Vec2d& wanted,
-                            const family::Box& box, Vector x, family::Vary vary);
+                            const family::Box& box, Vector x, double shift, family::Vary vary);
 
 /// Returns the launch beside `x` that reaches its target, by a change of the aim, and of the speed if the target has
 /// two equations.

@@ -20,13 +20,17 @@ struct Grid {
 };
 inline constexpr Grid usual{10, 5, 3}, close{20, 9, 6};
 inline constexpr double slowest = 0.4, fastest = 6;
+/// Places across a pocket are so many deviations apart, and no more than so many are tried.
+inline constexpr double room_for_errors = 4;
+inline constexpr int most_shifts = 3;
 /// Contact points across a ball, if any contact counts.
 inline constexpr int contacts = 15;
 /// m/s at the target, of the roots.
 inline constexpr double arrival = 1;
 /// Launches that are measured by a first look; that are compared with more plays, since luck flatters the best of many;
 /// and that are improved.
-inline constexpr std::size_t looked_at = 40, compared = 12, improved = 2;
+inline constexpr std::size_t looked_at = 120, compared = 12;
+inline constexpr std::array<std::size_t, 3> improved{4, 2, 1};
 /// Plays of each of these measurements, of a step of the improvement, of the final choice, and of what is printed.
 inline constexpr int first_plays = 16, compared_plays = 32, step_plays = 48, judged_plays = 256, last_plays = 512;
 /// Shots by the same way are alike if their ln speed differs by less.
@@ -40,7 +44,6 @@ inline constexpr double lucky = 0.15;
 /// The compass search: first steps across the target [share of its width], of ln speed and of spin, and how often they
 /// are halved.
 inline constexpr double step_across = 0.15, step_speed = 0.12, step_spin = 0.25;
-inline constexpr int halvings = 2;
 /// If no launch stops the cue ball as asked, so many ways to play it are improved until they stop it as near as they
 /// can, with the steps halved so often. With 8 ways brute force comes more than 1 cm nearer in 8 of 100 layouts, with
 /// 24 in 6.

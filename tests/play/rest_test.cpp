@@ -63,7 +63,7 @@ TEST_CASE("a launch on target is led to a place nearby, and stays on target") {
   const auto rest = play::rest_of(s.request, s.budget, path, *from, family::Vary::launch);
   REQUIRE(rest);
   const Vec2d wanted = Vec2d{(*rest)[0].a, (*rest)[1].a} + Vec2d{0.004, 0.006};
-  const auto placed = play::place(s.branch, s.budget, path, wanted, box, *from, family::Vary::spin_too);
+  const auto placed = play::place(s.branch, s.budget, path, wanted, box, *from, 0, family::Vary::spin_too);
   REQUIRE(placed);
   CHECK(norm(placed->rest - wanted) < 1e-10);
   const auto point = family::look(s.branch, s.budget, placed->x, family::Vary::launch);
