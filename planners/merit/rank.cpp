@@ -25,9 +25,9 @@ double merit(const Puzzle& p, const Shot& shot) {
   return p.prefer == Prefer::robust && shot.robustness.value ? *shot.robustness.value : first_merit(p, shot);
 }
 
-/// Nobody strikes a ball straight into the cushion it touches while there is another shot.
+/// Where values do not rank, nobody strikes a ball straight into the cushion it touches while there is another shot.
 bool last_choice(const SearchRequest& request, const Shot& shot) {
-  return !shot.path.cushions.empty() && !request.route && request.problem->into_touched_cushion(shot.launch.angle);
+  return (request.puzzle().prefer != Prefer::robust || !request.valued) && !shot.path.cushions.empty() && !request.route && request.problem->into_touched_cushion(shot.launch.angle);
 }
 
 /// m from where the cue ball should rest.
