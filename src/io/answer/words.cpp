@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -228,6 +229,8 @@ void add_hits(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
   if (!shot.path.hits.empty()) rows.push_back({"ghost", "ball " + place_words(p.table, shot.path.hits.front().at)});
 }
 
+constexpr std::string_view next_row = "next";
+
 /// Returns the probability of a leave in words.
 std::string leave_words(const Puzzle& p, const ShotLeave& leave) {
   const std::string chance = percent_words(leave.success);
@@ -241,6 +244,12 @@ std::string leave_words(const Puzzle& p, const ShotLeave& leave) {
   }
   if (std::holds_alternative<LeaveAgainst>(*p.leave)) return chance + " to make it and leave the opponent no pot";
   return chance + " to make it and leave no direct hit";
+}
+
+/// Returns whether a shot pots the last ball that is to be potted.
+bool pots_last(const Puzzle& p, const Shot& shot) {
+  const auto* next = std::get_if<LeaveForNext>(&*p.leave);
+  return next && next->order == PottingOrder{{shot.arriving()}};
 }
 
 /// Adds the leave of the cue ball, or its scratch.
@@ -263,10 +272,10 @@ void add_leave(const Puzzle& p, const Shot& shot, std::vector<Row>& rows) {
   if (!shot.leave) return;
   if (const auto& next = shot.leave->next)
     rows.push_back(
-        {"next",
+        {next_row,
          fmt::format("{} into {}, {} from there by an estimate", contact_name(p, Contact::ball(next->ball)),
                      p.table.pockets[static_cast<std::size_t>(next->pocket)].name, percent_words(next->success))});
-  rows.push_back({"leave", leave_words(p, *shot.leave)});
+  if (!pots_last(p, shot)) rows.push_back({"leave", leave_words(p, *shot.leave)});
 }
 
 /// Returns a pot in words: "ball "2" into top-left".
@@ -275,8 +284,7 @@ std::string pot_words(const Puzzle& p, const Shot& shot) {
   return contact_name(p, Contact::ball(shot.arriving())) + (pocket ? " into " + pocket->name : "");
 }
 
-}  // namespace
-
+/// Returns the rows about what is planned after a shot.
 std::vector<Row> rows_of(const Plan& plan) {
   std::vector<Row> rows;
   std::string then;
@@ -289,6 +297,16 @@ std::vector<Row> rows_of(const Plan& plan) {
                                           plan.whole ? "the table" : fmt::format("the next {} balls", balls),
                                           percent_words(plan.clears.back()))});
   if (!plan.why.empty()) rows.push_back({"why", plan.why});
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Row> rows_of(const Puzzle& asked, const Shot& shot, const Plan* plan) {
+  std::vector<Row> rows = rows_of(asked, shot);
+  if (!plan) return rows;
+  if (!plan->next.empty()) std::erase_if(rows, [](const Row& row) { return row.what == next_row; });
+  std::ranges::move(rows_of(*plan), std::back_inserter(rows));
   return rows;
 }
 

@@ -41,7 +41,8 @@ inline constexpr std::string_view scratch_row = "SCRATCH";
 /// Returns all rows about a shot, the most important first.
 std::vector<Row> rows_of(const Puzzle& puzzle, const Shot& shot);
 
-/// Returns the rows about what is planned after the best shot of a game.
-std::vector<Row> rows_of(const Plan& plan);
+/// Returns these rows and, after them, those about what is planned after the shot. The planned next pot takes the place
+/// of the estimate for it. `plan`: null if there is none.
+std::vector<Row> rows_of(const Puzzle& puzzle, const Shot& shot, const Plan* plan);
 
 }  // namespace bankshot

@@ -116,10 +116,7 @@ void draw_one(Canvas& c, const Puzzle& asked, const Shot& shot, const PictureSty
   draw_balls(c, p, shot, style);
   draw_opening(c, p, shot, arriving.events.back().state.velocity);
   if (!style.words) return;
-  std::vector<Row> rows = rows_of(p, shot);
-  if (plan)
-    for (Row& row : rows_of(*plan)) rows.push_back(std::move(row));
-  draw_caption(c, title_words(p, shot), caption_rows(std::move(rows), t), &request);
+  draw_caption(c, title_words(p, shot), caption_rows(rows_of(p, shot, plan), t), &request);
 }
 
 std::string listed(const Puzzle& p, const Shot& s) {

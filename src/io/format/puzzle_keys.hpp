@@ -105,7 +105,7 @@ inline constexpr Key game_keys[] = {
      {},
      groups},
     {"order", "string | [string | [string]]", "", "needed by `list` alone", R"(["3", ["1", "2"]])",
-     "balls one after the other; a list in the list allows any of its balls"},
+     "balls one after the other, each once; of a list in the list all balls, in any order, before the next"},
 };
 inline constexpr Object game{
     "game", "What should I play? Pot a ball that the game allows, and leave the cue ball for the next.", game_keys};

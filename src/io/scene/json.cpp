@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/scene/game.hpp"
@@ -82,6 +83,11 @@ PottingOrder read_order(const Reader& r, const std::vector<Ball>& others) {
   PottingOrder order;
   for (const Reader& item : r.items())
     order.push_back(item.is_array() ? read_balls(item, others) : std::vector{read_ball(item, others)});
+  std::set<int> known;
+  for (const std::vector<int>& any : order)
+    for (const int ball : any)
+      if (!known.insert(ball).second)
+        r.fail(fmt::format("names ball \"{}\" twice; it is potted once", others[static_cast<std::size_t>(ball) - 1].id));
   return order;
 }
 

@@ -19,7 +19,11 @@ bool is_in_hand(const Reader& at) { return !at.is_array() || (at.size() > 0 && a
 
 /// Reads where the cue ball may be placed.
 InHand read_in_hand(const Reader& at, const Reader& table, const Table& shape) {
-  if (at.is_string()) return at.word("place", format::hand_words), InHand{};
+  if (at.is_string()) {
+    if (at.text() != format::hand_words[0])
+      at.fail(R"(is no place; it may be "anywhere", a polygon, or {"behind": "head-string"})");
+    return {};
+  }
   if (at.is_array()) {
     InHand polygon{InHand::Where::polygon};
     for (const Reader& vertex : at.items()) polygon.vertices.push_back(vertex.point());
