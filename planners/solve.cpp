@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "bankshot/plan/planner.hpp"
@@ -73,6 +75,17 @@ void choose(const SearchRequest& request, EvaluationBudget& aside, SearchResult&
   if (request.puzzle().prefer == Prefer::robust && !request.all()) planning::best_first(request, aside, found.shots);
   planning::family::tune(request, aside, found);
   if (request.problem->safest()) planning::move_best(request, aside, found);
+  const auto keeps = [&](const Shot& shot) { return request.problem->keeps_cushions(shot); };
+  if (found.shots.empty() || std::ranges::any_of(found.shots, keeps))
+    return void(std::erase_if(found.shots, std::not_fn(keeps)));
+  // A ball that nearly touches a rail may fall only by it.
+  SearchRequest brushing = request;
+  auto problem = std::make_shared<planning::Problem>(*request.problem);
+  problem->brushes = true;
+  brushing.problem = std::move(problem);
+  found.moved.clear();
+  choose(brushing, aside, found);
+  found.add_note("the object ball brushes a rail on its way");
 }
 
 /// Returns the best of the shots of a list, chosen as if it alone were wanted.
@@ -104,7 +117,6 @@ Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResu
     if (best) found.shots.push_back(*best);
     if (options.robustness) planning::add_robustness(request, aside, found);
   }
-  std::erase_if(found.shots, [&](const Shot& shot) { return !request.problem->keeps_cushions(shot); });
   a.status = !found.shots.empty() ? Status::solved : budget.ever_cut() ? Status::budget : Status::no_shot;
   planning::add_nearest(request, budget, found, options.suggest, a);
   if (options.measure) a.cost.robustness_us = microseconds_since(begin);

@@ -258,6 +258,10 @@ void with_freedom(const SearchRequest& request, EvaluationBudget& budget, Search
     if (nothing_yet()) steps::jaw_shots(request.spinning(sample.spin), budget, found);
 }
 
+void keep_spare(SearchResult& found, std::vector<Shot> spare) {
+  if (found.shots.empty()) found.shots = std::move(spare);
+}
+
 /// The cue ball sends another on, or goes on off it. Where nothing is found, first beside what is blocked; then every
 /// way to go on from ball to ball is followed.
 void with_balls(const SearchRequest& asked, EvaluationBudget& budget, SearchResult& found) {
@@ -272,15 +276,18 @@ void with_balls(const SearchRequest& asked, EvaluationBudget& budget, SearchResu
     each_stage(request, budget, found,
                [&, seeds = seeds_of(request)](const SearchRequest& stage) { seeds.first(stage, budget, found); });
   steps::parts(request, budget, found);
+  // Those that cannot be moved to use no cushion are the last resort.
+  std::vector<Shot> spare;
   if (request.object_cushions.max > asked.object_cushions.max && !(value_in_hand(request, budget, found) > 0))
-    std::erase_if(found.shots, [&](const Shot& shot) { return !request.problem->keeps_cushions(shot); });
-  if (!stop::nothing_yet(budget, found)) return;
+    spare = std::exchange(found.shots, {});
+  if (!stop::nothing_yet(budget, found)) return keep_spare(found, std::move(spare));
   each_stage(asked, budget, found, [&](const SearchRequest& stage) {
     if (!free) return steps::bands(stage, budget, found);
     for (const SearchRequest& sample : samples_of(stage))
       if (stop::nothing_yet(budget, found))
         steps::bands(stage.spinning(sample.spin).asking(sample.asked), budget, found);
   });
+  keep_spare(found, std::move(spare));
 }
 
 }  // namespace

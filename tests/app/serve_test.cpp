@@ -208,7 +208,7 @@ TEST_CASE("the page solves its first puzzle, and one of its address, without a c
   const Running server;
   const std::string url = "http://127.0.0.1:" + std::to_string(server.port()) + "/";
   // The first page, a pocket, and a puzzle without a shot.
-  for (const auto& [hash, title, shots] : {std::tuple{"", "Pot the 3 into top-right", 3},
+  for (const auto& [hash, title, shots] : {std::tuple{"", "Pot the 3 into top-right", 5},
                                            {"#table=pool-9ft", "Into top-right by bottom", 4},
                                            {"#target=point&least=0&most=0&others=1.2,0.623", "No shot", 0}}) {
     const auto browsed = test::browse(url + hash, 5);
