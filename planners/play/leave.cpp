@@ -213,8 +213,8 @@ class Search {
                                   normal_below((root.made->low - shift) / deviation));
   }
 
-  /// Returns places across the target of a root: the middle, or several where there is room for the player's errors
-  /// beside each.
+  /// Returns places across the target of a root: the middle, or several and the exact line where there is room for the
+  /// player's errors beside each.
   std::vector<double> shifts_of(const Root& root) const {
     if (!root.made) return {0};
     const auto [low, high] = *root.made;
@@ -222,6 +222,7 @@ class Search {
     const int count = std::clamp(static_cast<int>((high - low) / apart), 1, most_shifts);
     std::vector<double> out;
     for (int i = 0; i < count; ++i) out.push_back(low + (high - low) * (i + 0.5) / count);
+    if (count > 1) out.push_back(0);
     return out;
   }
 
