@@ -27,7 +27,8 @@ double merit(const Puzzle& p, const Shot& shot) {
 
 /// Where values do not rank, nobody strikes a ball straight into the cushion it touches while there is another shot.
 bool last_choice(const SearchRequest& request, const Shot& shot) {
-  return (request.puzzle().prefer != Prefer::robust || !request.valued) && !shot.path.cushions.empty() && !request.route && request.problem->into_touched_cushion(shot.launch.angle);
+  return (request.puzzle().prefer != Prefer::robust || !request.valued) && !shot.path.cushions.empty() &&
+         !request.route && request.problem->into_touched_cushion(shot.launch.angle);
 }
 
 /// m from where the cue ball should rest.

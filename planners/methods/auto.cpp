@@ -266,9 +266,11 @@ void keep_spare(SearchResult& found, std::vector<Shot> spare) {
 /// way to go on from ball to ball is followed.
 void with_balls(const SearchRequest& asked, EvaluationBudget& budget, SearchResult& found) {
   SearchRequest request = asked;
-  const bool moved = asked.problem->safest() && !asked.first();  // to a launch without a cushion too many
+  // A pot counts however the ball falls. One by a cushion leads to those that brush a rail or a jaw, and is moved to a
+  // launch that uses none.
   const Then* const then = asked.problem->then();
-  if (moved && then && then->counts_any_fall() && then->links.empty()) request.object_cushions.max = 1;
+  if (asked.problem->safest() && !asked.first() && then && then->counts_any_fall() && then->links.empty())
+    request.object_cushions.max = 1;
   const bool free = !is_ideal(request.puzzle().physics) && family::Family::freedom(request) > 0;
   if (free)
     along_families(request, budget, found);

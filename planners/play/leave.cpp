@@ -161,8 +161,8 @@ class Search {
     if (!proof.replayed || proof.shot.path.hits.empty()) return true;
     const SearchRequest own = request_.spinning(family::spin_of(root.x));
     add_first_order(own, proof.shot, budget_.work());
-    const double estimate = std::max(likely(root, middle_of(root), proof.shot),
-                                     estimate_in_middle(own, proof.shot, budget_.work()));
+    const double estimate =
+        std::max(likely(root, middle_of(root), proof.shot), estimate_in_middle(own, proof.shot, budget_.work()));
     return success_at_most(own, root.branch.aim_point, estimate) - cost_of_contacts(proof.shot.contacts()) > best;
   }
 
@@ -314,8 +314,7 @@ class Search {
       std::set<std::pair<long, long>> known;
       for (std::size_t k = 0; k < std::min(grid_.nearest, from.size()) && !budget_.spent(); ++k) {
         const Launched& start = pool_[from[k].second];
-        const auto at =
-            place(root.branch, budget_, {route, standing_}, wanted, box_, start.x, start.shift, vary());
+        const auto at = place(root.branch, budget_, {route, standing_}, wanted, box_, start.x, start.shift, vary());
         if (!at) continue;
         // Two launches that agree to 1e-6 are one.
         constexpr double apart = 1e6;

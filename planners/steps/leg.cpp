@@ -58,8 +58,13 @@ bool is_hidden(const SearchRequest& request, const Objects::Chain& chain) {
 
 std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain, Step starts,
                       std::vector<Candidate> known) {
+  const Part own = last_alone(request, chain);
+  SearchRequest all(own.puzzle, Wanted::starts);
+  if (hit_straight(request, chain)) all.angle = aims_of_a_hit(request, *chain.balls.front());
+  // A cushion that was not asked for (methods/auto.cpp).
+  const bool uncounted = request.problem->then()->counts_any_fall() && request.object_cushions.min > 0;
   std::vector<Leg> out;
-  const auto look = [&](const Part& own, const SearchRequest& one, bool uncounted) {
+  const auto look = [&](const SearchRequest& one) {
     SearchResult found{.candidates = known};
     starts(one, budget, found);
     for (Candidate& candidate : std::span(found.candidates).subspan(known.size())) {
@@ -72,14 +77,10 @@ std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, co
       if (linear) out.back().spread = std::abs(linear->by_aim(0)) * one.problem->boundary.diagonal;
     }
   };
-  const auto look_alone = [&](const Part& own, bool uncounted) {
-    SearchRequest all(own.puzzle, Wanted::starts);
-    if (hit_straight(request, chain)) all.angle = aims_of_a_hit(request, *chain.balls.front());
-    if (!request.one_unknown()) return look(own, all.asking(request.asked), uncounted);
-    for (const double share : shares_of_speed) look(own, all.launched_at(share * request.fixed_speed()), uncounted);
-  };
-  const Then& then = *request.problem->then();
-  look_alone(last_alone(request, chain), then.counts_any_fall() && request.object_cushions.min > 0);
+  if (!request.one_unknown())
+    look(all.asking(request.asked));
+  else
+    for (const double share : shares_of_speed) look(all.launched_at(share * request.fixed_speed()));
   return out;
 }
 

@@ -13,7 +13,8 @@ using namespace bankshot;
 
 namespace {
 
-/// Returns the value of the best pot of ball 8, which must be true. It uses no cushion of that ball, or says that it must.
+/// Returns the value of the best pot of ball 8, which must be true. It uses no cushion of that ball, or says that it
+/// must.
 double value_of_pot(const std::string& cue, const std::string& eight, const std::string& more) {
   const Puzzle p = read_puzzle(fmt::format(
       R"({{"table": "pool-9ft", "ball": {{"at": {}}}, "others": [{{"id": "8", "at": {}}}], {}}})", cue, eight, more));

@@ -61,8 +61,8 @@ struct LockedPath {
   Work work{};
 };
 
-/// Returns whether an arc that leaves a line counts as starting on it: from at most `touch` [m] beyond, or where it does
-/// not get back to the line.
+/// Returns whether an arc that leaves a line counts as starting on it: from at most `touch` [m] beyond, or where it
+/// does not get back to the line.
 template <class N>
 bool starts_on(const N& gap, const N& speed, const N& acceleration, double touch) {
   return !(gap > N(0)) && (gap > N(-touch) || !(speed * speed > 2 * acceleration * gap));

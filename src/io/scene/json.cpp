@@ -87,7 +87,8 @@ PottingOrder read_order(const Reader& r, const std::vector<Ball>& others) {
   for (const std::vector<int>& any : order)
     for (const int ball : any)
       if (!known.insert(ball).second)
-        r.fail(fmt::format("names ball \"{}\" twice; it is potted once", others[static_cast<std::size_t>(ball) - 1].id));
+        r.fail(
+            fmt::format("names ball \"{}\" twice; it is potted once", others[static_cast<std::size_t>(ball) - 1].id));
   return order;
 }
 
