@@ -104,8 +104,7 @@ const AimPoint* Problem::aim_point_taken_by(Contact contact, const Vec2d& arrive
 }
 
 bool Problem::keeps_cushions(std::span<const ObjectBallPath> sent) const {
-  return brushes || sent.empty() ||
-         static_cast<int>(sent.back().cushions.size()) <= then()->cushions_of(then()->links.size()).max;
+  return sent.empty() || static_cast<int>(sent.back().cushions.size()) <= then()->cushions_of(then()->links.size()).max;
 }
 
 Contact Problem::covering() const {

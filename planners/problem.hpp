@@ -59,7 +59,6 @@ struct Problem {
   Physics rough;                           ///< the puzzle's, with impacts integrated no more finely than a seed needs
   std::vector<AimPoint> aim_points;
   std::vector<Contact> touched;  ///< contacts of the ball at the start
-  bool brushes = false;          ///< a pot is printed with a cushion too many, since there is no other
 
   /// Returns the table as if the cue ball were alone. Other balls block roots and make none, so maps look through them.
   const Boundary& alone() const { return cleared ? *cleared : boundary; }

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include "bankshot/plan/planner.hpp"
@@ -75,26 +73,18 @@ void choose(const SearchRequest& request, EvaluationBudget& aside, SearchResult&
   if (request.puzzle().prefer == Prefer::robust && !request.all()) planning::best_first(request, aside, found.shots);
   planning::family::tune(request, aside, found);
   if (request.problem->safest()) planning::move_best(request, aside, found);
-  const auto keeps = [&](const Shot& shot) { return request.problem->keeps_cushions(shot); };
-  if (found.shots.empty() || std::ranges::any_of(found.shots, keeps))
-    return void(std::erase_if(found.shots, std::not_fn(keeps)));
-  // A ball that nearly touches a rail may fall only by it.
-  SearchRequest brushing = request;
-  auto problem = std::make_shared<planning::Problem>(*request.problem);
-  problem->brushes = true;
-  brushing.problem = std::move(problem);
-  found.moved.clear();
-  choose(brushing, aside, found);
-  found.add_note("the object ball brushes a rail on its way");
+  std::erase_if(found.shots, [&](const Shot& shot) { return !request.problem->keeps_cushions(shot); });
+  if (found.shots.empty())
+    found.add_note(R"(a pot that brushes a rail was found, which "cushions": {"max": 1} in "then" would allow)");
 }
 
 /// Returns the best of the shots of a list, chosen as if it alone were wanted.
-Shot best_of(const SearchRequest& request, EvaluationBudget& aside, const SearchResult& found) {
+std::optional<Shot> best_of(const SearchRequest& request, EvaluationBudget& aside, const SearchResult& found) {
   SearchRequest alone = request;
   alone.wanted = Wanted::best;
   SearchResult best{.shots = found.shots};
   choose(alone, aside, best);
-  return best.shots.front();
+  return best.shots.empty() ? std::nullopt : std::optional(std::move(best.shots.front()));
 }
 
 /// Makes the answer from the result of a search: success, margins and words.
@@ -112,7 +102,7 @@ Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResu
     planning::play::rate_leaves(request, aside, options.robustness, found.shots);
   } else if ((options.robustness || request.problem->safest()) && !found.shots.empty()) {
     // The best of a list gets the care of the best alone.
-    const std::optional<Shot> best = once ? std::optional(best_of(request, aside, found)) : std::nullopt;
+    const std::optional<Shot> best = once ? best_of(request, aside, found) : std::nullopt;
     choose(request, aside, found);
     if (best) found.shots.push_back(*best);
     if (options.robustness) planning::add_robustness(request, aside, found);
