@@ -258,6 +258,7 @@ void with_freedom(const SearchRequest& request, EvaluationBudget& budget, Search
     if (nothing_yet()) steps::jaw_shots(request.spinning(sample.spin), budget, found);
 }
 
+/// Puts spare shots where none was found.
 void keep_spare(SearchResult& found, std::vector<Shot> spare) {
   if (found.shots.empty()) found.shots = std::move(spare);
 }
@@ -278,7 +279,7 @@ void with_balls(const SearchRequest& asked, EvaluationBudget& budget, SearchResu
     each_stage(request, budget, found,
                [&, seeds = seeds_of(request)](const SearchRequest& stage) { seeds.first(stage, budget, found); });
   steps::parts(request, budget, found);
-  // Those that cannot be moved to use no cushion are the last resort.
+  // Shots that cannot be moved to use no cushion only tell what would allow them.
   std::vector<Shot> spare;
   if (request.object_cushions.max > asked.object_cushions.max && !(value_in_hand(request, budget, found) > 0))
     spare = std::exchange(found.shots, {});

@@ -263,7 +263,7 @@ class Search {
     }
   }
 
-  /// From a launch near it.
+  /// Plays the launch nearest to `x` that reaches its target.
   std::optional<Launched> launched_from(const Root& root, const Vector& x, double shift, const Shot* like = nullptr) {
     const auto there = on_target(root.branch, budget_, box_, x, shift);
     return there ? launched(root, *there, shift, like) : std::nullopt;

@@ -61,7 +61,7 @@ std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, co
   const Part own = last_alone(request, chain);
   SearchRequest all(own.puzzle, Wanted::starts);
   if (hit_straight(request, chain)) all.angle = aims_of_a_hit(request, *chain.balls.front());
-  // A cushion that was not asked for (methods/auto.cpp).
+  // The search adds a cushion that was not asked for (methods/auto.cpp).
   const bool uncounted = request.problem->then()->counts_any_fall() && request.object_cushions.min > 0;
   std::vector<Leg> out;
   const auto look = [&](const SearchRequest& one) {
