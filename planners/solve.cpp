@@ -105,11 +105,11 @@ Answer finish(const SearchRequest& request, EvaluationBudget& budget, SearchResu
     const std::optional<Shot> best = once ? best_of(request, aside, found) : std::nullopt;
     choose(request, aside, found);
     if (best) found.shots.push_back(*best);
-    if (options.robustness) planning::add_robustness(request, aside, found);
+    if (options.robustness && !found.shots.empty()) planning::add_robustness(request, aside, found);
   }
+  if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   a.status = !found.shots.empty() ? Status::solved : budget.ever_cut() ? Status::budget : Status::no_shot;
   planning::add_nearest(request, budget, found, options.suggest, a);
-  if (options.measure) a.cost.robustness_us = microseconds_since(begin);
   if (once) planning::keep_connected_once(request, aside, found.shots);
   if (!options.robustness)
     for (Shot& shot : found.shots) shot.robustness.success.reset(), shot.robustness.value.reset();

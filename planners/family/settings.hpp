@@ -34,7 +34,7 @@ inline constexpr double hopeless = 0.15;
 inline constexpr double longest_step = 2, finest = 0.05;
 /// Steps along a curve, each way.
 inline constexpr int most_walked = 60;
-/// Of the merit: an edge is bisected to this.
+/// An edge is bisected to this share of the merit.
 inline constexpr double fine_merit = 2e-4;
 /// Estimates of the last touch by simulated success, at most.
 inline constexpr int most_tuned = 10;

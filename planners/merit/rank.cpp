@@ -311,7 +311,7 @@ void move_best(const SearchRequest& request, EvaluationBudget& budget, SearchRes
 void add_robustness(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   std::vector<Shot>& shots = found.shots;
   if (request.puzzle().rest_near && !request.all()) order_by_leave(request.puzzle(), shots);
-  for (Shot& shot : std::span(shots).first(request.all() ? shots.size() : std::min<std::size_t>(1, shots.size()))) {
+  for (Shot& shot : std::span(shots).first(request.all() ? shots.size() : 1)) {
     as_struck(request, shot, [&](const SearchRequest& own) {
       if (!shot.robustness.success) find_success(own, budget, shot);
       find_margin(own, budget, shot);

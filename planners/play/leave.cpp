@@ -188,7 +188,7 @@ class Search {
       Vector x = root.x;
       x[aim] += i * step / slope;
       const Proof proof = prove_at(x);
-      return proof.holds() && !banks_unasked(proof.shot);
+      return proof.holds() && request_.problem->keeps_cushions(proof.shot);
     };
     for (int i = -each_way; i <= each_way; ++i) {
       if (!is_made(i)) continue;
@@ -277,17 +277,10 @@ class Search {
     return prove(own, budget_, family::launch_of(x), goal);
   }
 
-  /// Returns whether the object ball goes by a cushion, though the puzzle asks for none: such falls count, but are not
-  /// what a player means to do.
-  bool banks_unasked(const Shot& shot) const {
-    const Then* const then = request_.problem->then();
-    return then && then->counts_any_fall() && !shot.path.then.empty() && !shot.path.then.back().cushions.empty();
-  }
-
   /// Plays a launch without errors; none if it does not make the target, or the cue ball falls.
   std::optional<Launched> launched(const Root& root, const Vector& x, double shift, const Shot* like = nullptr) {
     Proof proof = prove_at(x, like);
-    if (!proof.holds() || banks_unasked(proof.shot)) return {};
+    if (!proof.holds() || !request_.problem->keeps_cushions(proof.shot)) return {};
     const SearchRequest own = request_.spinning(family::spin_of(x));
     Ending ending = play_out(own, budget_, proof.shot.launch);
     if (!ending.cue_rests()) return {};
