@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "planners/merit/settings.hpp"
-#include "planners/proof/replay.hpp"
+#include "planners/evaluate/settings.hpp"
+#include "planners/verify/replay.hpp"
 
 namespace bankshot {
 namespace {

@@ -9,11 +9,11 @@
 #include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/geometry/boundary.hpp"
 #include "bankshot/numbers/tolerances.hpp"
-#include "planners/locked/newton.hpp"
-#include "planners/merit/first_order.hpp"
+#include "planners/evaluate/first_order.hpp"
 #include "planners/nearest.hpp"
-#include "planners/proof/prove.hpp"
 #include "planners/settings.hpp"
+#include "planners/solve/newton.hpp"
+#include "planners/verify/prove.hpp"
 
 namespace bankshot::planning {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "planners/proof/replay.hpp"
 #include "planners/settings.hpp"
+#include "planners/verify/replay.hpp"
 
 namespace bankshot::planning {
 namespace {

@@ -124,6 +124,15 @@ bool Problem::into_touched_cushion(double launch_angle) const {
       touched, [&](Contact contact) { return dot(boundary.normal(contact, puzzle.ball.at), towards) < 0; });
 }
 
+std::vector<double> Problem::along_touched_cushions() const {
+  std::vector<double> angles;
+  for (const Wall& wall : boundary.walls)
+    if (touches(wall.contact))
+      for (const Vec2d& way : {wall.along, -wall.along})
+        angles.push_back(wrap_angle(std::atan2(way.y + 0.0, way.x)));  // + 0: -0 is no angle
+  return angles;
+}
+
 Route route_with_jaws_of(const Shot& shot) {
   return shot.path.touches_jaws && shot.path.then.empty() ? route_by(shot.path.met) : route_of(shot);
 }

@@ -102,6 +102,8 @@ struct Problem {
   /// Returns whether a launch at this angle would drive the ball into a cushion that it touches: a bounce before it
   /// moves.
   bool into_touched_cushion(double launch_angle) const;
+  /// Returns the angles along the cushions that the ball touches, both ways [rad].
+  std::vector<double> along_touched_cushions() const;
 };
 
 /// Returns the route of a shot: its cushions, and its contacts from ball to ball.

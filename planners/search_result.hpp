@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bankshot/geometry/aim_point.hpp"
@@ -14,6 +15,12 @@
 #include "bankshot/simulate/route.hpp"
 
 namespace bankshot::planning {
+
+/// How a shot was found, in answers.
+namespace word {
+inline constexpr std::string_view unfold = "unfold", partition = "partition", continuation = "continuation",
+                                  relaxed = "relaxed", global = "global";
+}  // namespace word
 
 /// The failure reason of a launch.
 enum class FailureReason {

@@ -2,7 +2,8 @@
 //
 // The numbers that steer a search, each with its unit, its reason and the harm without it. None decides whether a
 // launch is a shot; numbers/tolerances.hpp does that. A better value makes searches faster or finds more. Settings for
-// a shot's value, for free speeds and spins, and for object balls are in merit, family and steps/settings.hpp.
+// a shot's value, for free speeds and spins, and for object balls are in the settings.hpp of evaluate, solve and
+// propose.
 #pragma once
 
 #include <array>

@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/certify.hpp"
-#include "planners/family/family.hpp"
-#include "planners/merit/connected.hpp"
-#include "planners/merit/rank.hpp"
-#include "planners/merit/sensitivity.hpp"
+#include "planners/evaluate/connected.hpp"
+#include "planners/evaluate/rank.hpp"
+#include "planners/evaluate/sensitivity.hpp"
 #include "planners/message.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/play/game.hpp"
 #include "planners/play/in_hand.hpp"
 #include "planners/play/leave_success.hpp"
+#include "planners/propose/proposers.hpp"
 #include "planners/settings.hpp"
-#include "planners/steps/steps.hpp"
+#include "planners/solve/branch_search.hpp"
+#include "planners/verify/certify.hpp"
 #include "planners/what_would_open.hpp"
 
 namespace bankshot {
@@ -71,7 +71,7 @@ double microseconds_since(std::chrono::steady_clock::time_point begin) {
 /// Chooses among shots and moves them, the best one alone or each of a list, to where their value is largest.
 void choose(const SearchRequest& request, EvaluationBudget& aside, SearchResult& found) {
   if (request.puzzle().prefer == Prefer::robust && !request.all()) planning::best_first(request, aside, found.shots);
-  planning::family::tune(request, aside, found);
+  planning::branch::tune(request, aside, found);
   if (request.problem->safest()) planning::move_best(request, aside, found);
   std::erase_if(found.shots, [&](const Shot& shot) { return !request.problem->keeps_cushions(shot); });
   if (found.shots.empty())
@@ -142,7 +142,7 @@ bool keep_as_asked(const SearchRequest& request, EvaluationBudget& budget, Searc
   return planning::as_struck(request, shot, [&](const SearchRequest& own) {
     const int bounces = bounces_of(planning::route_of(shot));
     const auto proves = [&](planning::Demand demand) {
-      return planning::certify(own, budget, found, shot.launch, bounces, planning::steps::word::looser, demand);
+      return planning::certify(own, budget, found, shot.launch, bounces, planning::word::relaxed, demand);
     };
     return proves(planning::Demand::exact) || proves(planning::Demand::off_centre);
   });

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "bankshot/plan/planner.hpp"
+#include "planners/evaluate/success.hpp"
 #include "planners/learn/outliers.hpp"
 #include "planners/learn/parallel.hpp"
 #include "planners/learn/player.hpp"
-#include "planners/merit/success.hpp"
 
 namespace bankshot {
 namespace planning {

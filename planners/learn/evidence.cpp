@@ -11,13 +11,13 @@
 #include <utility>
 
 #include "bankshot/plan/planner.hpp"
+#include "planners/evaluate/draws.hpp"
 #include "planners/learn/goodness.hpp"
 #include "planners/learn/launch.hpp"
 #include "planners/learn/least_squares.hpp"
 #include "planners/learn/outliers.hpp"
 #include "planners/learn/settings.hpp"
-#include "planners/merit/draws.hpp"
-#include "planners/proof/replay.hpp"
+#include "planners/verify/replay.hpp"
 
 namespace bankshot::planning {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bankshot/learn/fit.hpp"
-#include "planners/locked/varied.hpp"
+#include "planners/trace/varied.hpp"
 
 namespace bankshot::planning {
 

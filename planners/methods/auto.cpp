@@ -3,7 +3,7 @@
 // Planner `auto`: the cheapest sure step first. Images are exact where paths unfold; a sweep of the
 // aim adds what they cannot see (reflex vertices, dead cushions); Levenberg–Marquardt and then a
 // global search are for what is left, and are not run when the images proved that nothing is.
-// With spin images are only seeds: the steps of planners/steps follow.
+// With spin images are only seeds: the other proposers follow.
 #include <algorithm>
 #include <functional>
 #include <span>
@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "bankshot/geometry/aim_point.hpp"
-#include "planners/family/family.hpp"
-#include "planners/family/settings.hpp"
-#include "planners/merit/connected.hpp"
-#include "planners/merit/rank.hpp"
+#include "planners/evaluate/connected.hpp"
+#include "planners/evaluate/rank.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/methods/nlopt.hpp"
 #include "planners/play/leave.hpp"
+#include "planners/solve/branch_search.hpp"
+#include "planners/solve/settings.hpp"
 #include "planners/stop.hpp"
 
 namespace bankshot::planning::methods {
@@ -50,30 +50,30 @@ bool improvement_wanted(const SearchRequest& request, const EvaluationBudget& bu
 void improvement_pass(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   if (!improvement_wanted(request, budget, found)) return;
   found.improvement_sought = true;
-  steps::map(request.better_than(best_of(request, found)), budget, found, improvement);
+  propose::partition(request.better_than(best_of(request, found)), budget, found, improvement);
 }
 
 /// One arrival speed aimed for, or one launch speed.
 void look(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
-  steps::images(request, budget, found);
+  propose::stretched_images(request, budget, found);
   if (budget.cut()) return;
   improvement_pass(request, budget, found);
-  if (request.all() || nothing_yet()) steps::map(request, budget, found, steps::usual_spacing(request));
-  if (stop::more_wanted(request, budget, found)) steps::along(request, budget, found);
-  steps::parts(request, budget, found);
+  if (request.all() || nothing_yet()) propose::partition(request, budget, found, propose::usual_spacing(request));
+  if (stop::more_wanted(request, budget, found)) propose::along(request, budget, found);
+  propose::partial_targets(request, budget, found);
 }
 
 void with_spin(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   look(request, budget, found);
-  if (stop::nothing_yet(budget, found)) steps::jaw_shots(request, budget, found);
+  if (stop::nothing_yet(budget, found)) propose::jaw_shots(request, budget, found);
   if (budget.cut()) return;
-  if (stop::nothing_yet(budget, found)) steps::map(request, budget, found, fine);
-  steps::parts(request, budget, found);
-  if (stop::nothing_yet(budget, found)) search_box(request, budget, found, steps::word::global);
+  if (stop::nothing_yet(budget, found)) propose::partition(request, budget, found, fine);
+  propose::partial_targets(request, budget, found);
+  if (stop::nothing_yet(budget, found)) search_box(request, budget, found, word::global);
 }
 
-/// The arrival speeds and spins at which families are looked for: the ends that are preferred first.
+/// The arrival speeds and spins from which branches are searched: the ends that are preferred first.
 std::vector<SearchRequest> samples_of(const SearchRequest& request) {
   std::vector<double> arrivals{request.asked};
   if (request.arrival && !request.arrival->fixed()) {
@@ -104,19 +104,15 @@ std::vector<SearchRequest> seed_samples_of(const SearchRequest& request) {
   return out;
 }
 
-/// What leads to roots of most routes.
-struct Seeds {
-  std::function<std::remove_pointer_t<steps::Step>> first;
-  std::string_view word;
-};
+/// The proposer that leads to roots of most routes.
+using Seeds = std::function<std::remove_pointer_t<propose::Proposer>>;
 Seeds seeds_of(const SearchRequest& request) {
-  if (!request.problem->objects) return {steps::images, steps::word::images};
-  if (request.problem->carom()) return {steps::caroms, steps::word::caroms};
-  const auto chains = [known = steps::KnownLegs{}](const SearchRequest& one, EvaluationBudget& budget,
-                                                   SearchResult& found) mutable {
-    steps::chains_again(one, budget, found, known);
-  };
-  return {chains, steps::word::chains};
+  if (!request.problem->objects) return propose::stretched_images;
+  if (request.problem->carom()) return propose::caroms;
+  return
+      [known = propose::KnownLegs{}](const SearchRequest& one, EvaluationBudget& budget, SearchResult& found) mutable {
+        propose::chains_again(one, budget, found, known);
+      };
 }
 
 /// From simple to complex: `look` at shots by ever more cushions of the cue ball and of the last object ball together,
@@ -163,62 +159,60 @@ class Starts {
   std::vector<std::pair<Candidate, int>> counted_{};
 };
 
-/// Of a stage, a family where more than one thing is free, from all roots of the samples: the highest is climbed first.
-void climb_families(const SearchRequest& request, const SearchRequest& stage, EvaluationBudget& budget,
+/// Climbs the branches of a stage where more than one thing is free, from all roots of the samples, the highest first.
+void climb_branches(const SearchRequest& request, const SearchRequest& stage, EvaluationBudget& budget,
                     SearchResult& found, Starts& climbed) {
   struct Foot {
     Candidate start;
-    family::Family::Tried at;
+    branch::BranchSearch::Tried at;
   };
   std::vector<Foot> feet;
-  std::string_view word;
   {
     const EvaluationBudget::Part half(budget, 2);  // the other one is for the climbs
     for (const SearchRequest& sample : seed_samples_of(stage)) {
       const Seeds seeds = seeds_of(stage);
       SearchResult starts;
-      seeds.first(sample, budget, starts);
-      word = seeds.word;
+      seeds(sample, budget, starts);
       for (Candidate& start : starts.candidates) {
-        family::Family family(request, budget, found, start, word);
-        auto at = family.foot();
+        branch::BranchSearch search(request, budget, found, start);
+        auto at = search.foot();
         if (!at) continue;
-        if (request.first() && at->made()) return family.climb_from(*at);
+        if (request.first() && at->made()) return search.climb_from(*at);
         feet.push_back({std::move(start), std::move(*at)});
       }
     }
   }
   std::ranges::stable_sort(feet, [](const Foot& a, const Foot& b) { return a.at.above(b.at); });
   for (const Foot& foot : feet)
-    if (!stop::over(request, budget, found) && climbed.count(foot.start) <= settings::family::most_starts)
-      family::Family(request, budget, found, foot.start, word).climb_from(foot.at);
+    if (!stop::over(request, budget, found) && climbed.count(foot.start) <= settings::branch::most_starts)
+      branch::BranchSearch(request, budget, found, foot.start).climb_from(foot.at);
 }
 
-/// What is free is followed from roots of a few arrival speeds and spins, along each route to each aim point.
-void along_families(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+/// Branches are searched from roots of a few arrival speeds and spins, along each route to each aim point.
+void along_branches(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   Starts followed;
-  const bool surfaces = family::Family::freedom(request) > 1;
-  // Roots of a carom by one route are of several families.
-  const int most = surfaces || request.problem->carom() ? settings::family::most_starts : 1;
-  const auto follow = [&](std::span<const Candidate> candidates, std::string_view step) {
+  const bool surfaces = branch::BranchSearch::freedom(request) > 1;
+  // Roots of a carom by one route lie on several curves.
+  const int most = surfaces || request.problem->carom() ? settings::branch::most_starts : 1;
+  const auto follow = [&](std::span<const Candidate> candidates) {
     for (const Candidate& candidate : candidates) {
       if (stop::over(request, budget, found) || followed.count(candidate) > most) continue;
-      family::Family family(request, budget, found, candidate, step);
+      branch::BranchSearch branch(request, budget, found, candidate);
       if (!surfaces)
-        family.search();
-      else if (const auto foot = family.foot())
-        family.climb_from(*foot);
+        branch.search();
+      else if (const auto foot = branch.foot())
+        branch.climb_from(*foot);
     }
   };
   each_stage(request, budget, found, [&](const SearchRequest& stage) {
-    if (surfaces) return climb_families(request, stage, budget, found, followed);
+    if (surfaces) return climb_branches(request, stage, budget, found, followed);
     Seeds seeds = seeds_of(stage);
     SearchResult starts;
     for (const SearchRequest& sample : seed_samples_of(stage)) {
       if (request.problem->carom()) starts = {}, seeds = seeds_of(stage);
-      const std::size_t known = starts.candidates.size();  // whose routes have no second family
-      seeds.first(sample, budget, starts);
-      follow(std::span(starts.candidates).subspan(known), seeds.word);
+      const std::size_t known = starts.candidates.size();  // whose routes have no second curve
+      seeds(sample, budget, starts);
+      follow(std::span(starts.candidates).subspan(known));
     }
   });
   if (request.problem->carom()) {
@@ -233,15 +227,15 @@ void along_families(const SearchRequest& request, EvaluationBudget& budget, Sear
     if (!request.all() && !better) break;
     found.improvement_sought = better;
     SearchResult roots;
-    steps::map(sample, budget, roots, request.all() ? steps::usual_spacing(request) : improvement);
-    follow(roots.candidates, steps::word::map);
+    propose::partition(sample, budget, roots, request.all() ? propose::usual_spacing(request) : improvement);
+    follow(roots.candidates);
   }
 }
 
 /// Arrival speeds or spins are free. Where images lead to no shot: the steps at each of a few speeds and spins, and of
 /// launches at the bounds of their own speed, which arrive as they may.
 void with_freedom(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
-  along_families(request, budget, found);
+  along_branches(request, budget, found);
   const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
   if (!nothing_yet()) return;
   const auto look_at = [&](const SearchRequest& one) {
@@ -255,7 +249,7 @@ void with_freedom(const SearchRequest& request, EvaluationBudget& budget, Search
       if (speed > 0) look_at(request.spinning(sample.spin).launched_at(speed));
   }
   for (const SearchRequest& sample : samples)
-    if (nothing_yet()) steps::jaw_shots(request.spinning(sample.spin), budget, found);
+    if (nothing_yet()) propose::jaw_shots(request.spinning(sample.spin), budget, found);
 }
 
 /// Puts spare shots where none was found.
@@ -272,23 +266,23 @@ void with_balls(const SearchRequest& asked, EvaluationBudget& budget, SearchResu
   const Then* const then = asked.problem->then();
   if (asked.problem->safest() && !asked.first() && then && then->counts_any_fall() && then->links.empty())
     request.object_cushions.max = 1;
-  const bool free = !is_ideal(request.puzzle().physics) && family::Family::freedom(request) > 0;
+  const bool free = !is_ideal(request.puzzle().physics) && branch::BranchSearch::freedom(request) > 0;
   if (free)
-    along_families(request, budget, found);
+    along_branches(request, budget, found);
   else
     each_stage(request, budget, found,
-               [&, seeds = seeds_of(request)](const SearchRequest& stage) { seeds.first(stage, budget, found); });
-  steps::parts(request, budget, found);
+               [&, seeds = seeds_of(request)](const SearchRequest& stage) { seeds(stage, budget, found); });
+  propose::partial_targets(request, budget, found);
   // Shots that cannot be moved to use no cushion only tell what would allow them.
   std::vector<Shot> spare;
   if (request.object_cushions.max > asked.object_cushions.max && !(value_in_hand(request, budget, found) > 0))
     spare = std::exchange(found.shots, {});
   if (!stop::nothing_yet(budget, found)) return keep_spare(found, std::move(spare));
   each_stage(asked, budget, found, [&](const SearchRequest& stage) {
-    if (!free) return steps::bands(stage, budget, found);
+    if (!free) return propose::contact_windows(stage, budget, found);
     for (const SearchRequest& sample : samples_of(stage))
       if (stop::nothing_yet(budget, found))
-        steps::bands(stage.spinning(sample.spin).asking(sample.asked), budget, found);
+        propose::contact_windows(stage.spinning(sample.spin).asking(sample.asked), budget, found);
   });
   keep_spare(found, std::move(spare));
 }
@@ -296,16 +290,16 @@ void with_balls(const SearchRequest& asked, EvaluationBudget& budget, SearchResu
 }  // namespace
 
 void automatic(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
-  if (request.puzzle().leave) return play::leave(request, budget, found, seeds_of(request).first);
+  if (request.puzzle().leave) return play::leave(request, budget, found, seeds_of(request));
   if (request.problem->objects) return with_balls(request, budget, found);
   if (!is_straight(request.puzzle().physics))
-    return family::Family::freedom(request) > 0 ? with_freedom(request, budget, found)
-                                                : with_spin(request, budget, found);
+    return branch::BranchSearch::freedom(request) > 0 ? with_freedom(request, budget, found)
+                                                      : with_spin(request, budget, found);
   image(request, budget, found);
   if (!settled(request, budget, found)) sweep(request, budget, found);
-  if (stop::nothing_yet(budget, found)) steps::jaw_shots(request, budget, found);
+  if (stop::nothing_yet(budget, found)) propose::jaw_shots(request, budget, found);
   if (stop::nothing_yet(budget, found) && !found.complete) ceres(request, budget, found);
-  if (stop::nothing_yet(budget, found) && !found.complete) search_box(request, budget, found, steps::word::global);
+  if (stop::nothing_yet(budget, found) && !found.complete) search_box(request, budget, found, word::global);
 }
 
 }  // namespace bankshot::planning::methods

@@ -6,9 +6,9 @@
 // aims with the routes their traces meet. Cost: about ten locked simulations a seed. Guarantee: none beyond the
 // proof; it finds the root its seed leads to.
 #include "bankshot/geometry/aim_point.hpp"
-#include "planners/images/refine.hpp"
-#include "planners/locked/levenberg_marquardt.hpp"
 #include "planners/methods/methods.hpp"
+#include "planners/propose/refine.hpp"
+#include "planners/solve/levenberg_marquardt.hpp"
 #include "planners/stop.hpp"
 
 namespace bankshot::planning::methods {

@@ -13,16 +13,14 @@
 #include <cmath>
 #include <limits>
 
-#include "planners/images/aim.hpp"
-#include "planners/images/unfold.hpp"
-#include "planners/images/window.hpp"
 #include "planners/methods/methods.hpp"
+#include "planners/propose/aim.hpp"
+#include "planners/propose/unfold.hpp"
+#include "planners/propose/window.hpp"
 #include "planners/stop.hpp"
 
 namespace bankshot::planning::methods {
 namespace {
-
-using steps::word::images;
 
 double stretch(const SearchRequest& request) { return restitution(request.puzzle().physics).at_rest; }
 
@@ -31,7 +29,7 @@ bool centred(const SearchRequest& request, EvaluationBudget& budget, SearchResul
   Unfolding candidates(request, {.restitution = stretch(request)});
   while (const auto c = candidates.next()) {
     if (budget.spent()) return false;
-    certify_aim(request, budget, found, c->angle, c->bounces, images);
+    certify_aim(request, budget, found, c->angle, c->bounces, word::unfold);
     if (!stop::enough_images(request, found, candidates.shortest_first())) continue;
     if (request.puzzle().prefer == Prefer::robust && !request.first() && candidates.next())
       found.add_note(fmt::format("compared the {} shortest shots", found.shots.size()));
@@ -65,7 +63,7 @@ bool beside_centre(const SearchRequest& request, EvaluationBudget& budget, Searc
     for (const Range& aims : allowed(request, *c)) {
       some_part = true;
       reach_part(request, budget, found, aims, c->angle, settings::aims_across, Goal::exactly(request, c->bounces),
-                 images);
+                 word::unfold);
     }
   }
   return some_part;

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/steps/steps.hpp"
+#include "planners/propose/proposers.hpp"
 
 namespace bankshot::planning::methods {
 
@@ -19,7 +19,7 @@ void ceres(const SearchRequest& request, EvaluationBudget& budget, SearchResult&
 
 struct Method {
   PlannerInfo info;
-  steps::Step plan;
+  propose::Proposer plan;
 };
 
 std::span<const Method> all();

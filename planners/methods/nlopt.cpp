@@ -5,7 +5,7 @@
 // squared error of the arrival speed; it jumps wherever the sequence of cushions does. With a gradient
 // it is the squared residual of a locked path, which does not. Local methods start at the images,
 // global ones search the whole box of bounds. The best point found is moved onto the root along its
-// own route (locked/levenberg_marquardt.hpp) and proved.
+// own route (solve/levenberg_marquardt.hpp) and proved.
 // Cost: thousands of simulations. Guarantee: none. Random draws are seeded: same puzzle, same answer.
 #include <nlopt.h>
 
@@ -14,14 +14,14 @@
 #include <cmath>
 #include <memory>
 
-#include "planners/certify.hpp"
-#include "planners/images/aim.hpp"
-#include "planners/images/unfold.hpp"
-#include "planners/locked/levenberg_marquardt.hpp"
-#include "planners/locked/speed.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/methods/nlopt.hpp"
+#include "planners/propose/aim.hpp"
+#include "planners/propose/unfold.hpp"
+#include "planners/solve/levenberg_marquardt.hpp"
+#include "planners/solve/speed.hpp"
 #include "planners/stop.hpp"
+#include "planners/verify/certify.hpp"
 
 namespace bankshot::planning::methods {
 namespace {

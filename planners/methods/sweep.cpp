@@ -12,10 +12,10 @@
 
 #include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/simulate/simulator.hpp"
-#include "planners/images/aim.hpp"
-#include "planners/images/window.hpp"
-#include "planners/line_search.hpp"
 #include "planners/methods/methods.hpp"
+#include "planners/propose/aim.hpp"
+#include "planners/propose/window.hpp"
+#include "planners/solve/line_search.hpp"
 #include "planners/stop.hpp"
 
 namespace bankshot::planning::methods {
@@ -53,7 +53,7 @@ class Sweep {
   /// Where nothing reaches the target's centre.
   void beside_centre() {
     const Range around = aims();
-    reach_part(request_, budget_, found_, around, around.low, fan + 1, Goal::of(request_), steps::word::sweep);
+    reach_part(request_, budget_, found_, around, around.low, fan + 1, Goal::of(request_), word::partition);
   }
 
  private:
@@ -120,7 +120,7 @@ class Sweep {
           lost = i >= m.sides.size();
           return !lost && (m.sides[i].lateral > 0) == side;
         });
-    if (!lost && !budget_.spent()) certify_aim(request_, budget_, found_, wrap_angle(low), bounces, steps::word::sweep);
+    if (!lost && !budget_.spent()) certify_aim(request_, budget_, found_, wrap_angle(low), bounces, word::partition);
   }
 
   const SearchRequest& request_;
@@ -131,7 +131,8 @@ class Sweep {
 }  // namespace
 
 void sweep(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
-  if (!is_straight(request.puzzle().physics)) return steps::map(request, budget, found, steps::usual_spacing(request));
+  if (!is_straight(request.puzzle().physics))
+    return propose::partition(request, budget, found, propose::usual_spacing(request));
   Sweep sweep(request, budget, found);
   sweep.run();
   if (found.shots.empty()) sweep.beside_centre();

@@ -8,11 +8,11 @@
 #include <limits>
 
 #include "bankshot/scene/game.hpp"
-#include "planners/merit/plays.hpp"
+#include "planners/evaluate/plays.hpp"
 #include "planners/play/leave_success.hpp"
 #include "planners/play/settings.hpp"
-#include "planners/proof/aftermath.hpp"
-#include "planners/proof/replay.hpp"
+#include "planners/verify/aftermath.hpp"
+#include "planners/verify/replay.hpp"
 
 namespace bankshot::planning::play {
 namespace {

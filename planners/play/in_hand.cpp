@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bankshot/scene/in_hand.hpp"
-#include "planners/merit/rank.hpp"
+#include "planners/evaluate/rank.hpp"
 #include "planners/play/next_pot.hpp"
 #include "planners/play/settings.hpp"
 

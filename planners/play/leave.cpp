@@ -16,25 +16,25 @@
 #include <vector>
 
 #include "bankshot/numbers/tolerances.hpp"
-#include "planners/certify.hpp"
-#include "planners/merit/first_order.hpp"
-#include "planners/merit/noise_scanlines.hpp"
-#include "planners/merit/rank.hpp"
+#include "planners/evaluate/first_order.hpp"
+#include "planners/evaluate/noise_scanlines.hpp"
+#include "planners/evaluate/rank.hpp"
 #include "planners/play/leave_success.hpp"
 #include "planners/play/rest.hpp"
 #include "planners/play/settings.hpp"
 #include "planners/play/two_pots.hpp"
-#include "planners/proof/aftermath.hpp"
-#include "planners/proof/prove.hpp"
-#include "planners/steps/steps.hpp"
+#include "planners/propose/proposers.hpp"
+#include "planners/verify/aftermath.hpp"
+#include "planners/verify/certify.hpp"
+#include "planners/verify/prove.hpp"
 
 namespace bankshot::planning::play {
 namespace {
 
 using namespace settings::leave;
-using family::aim;
-using family::Box;
-using family::log_speed;
+using branch::aim;
+using branch::Box;
+using branch::log_speed;
 
 /// A root of the target, from which other launches are found.
 struct Root {
@@ -80,7 +80,7 @@ class Search {
         found_(found),
         worth_(request.puzzle()),
         two_pots_(request),
-        box_(family::box_of(request)) {
+        box_(branch::box_of(request)) {
     const auto balls = request.problem->whole->balls();
     for (std::size_t k = 1; k < balls.size(); ++k)
       standing_.push_back({static_cast<int>(k), balls[k].boundary, balls[k].state.at});
@@ -114,7 +114,7 @@ class Search {
   /// Returns whether the target has two equations, which leave neither the speed nor the place across it free.
   bool two_equations() const { return request_.stop || (request_.arrival && request_.arrival->fixed()); }
   bool speed_given() const { return two_equations() || !box_.free(log_speed); }
-  family::Vary vary() const { return request_.puzzle().spin_range ? family::Vary::spin_too : family::Vary::launch; }
+  branch::Vary vary() const { return request_.puzzle().spin_range ? branch::Vary::spin_too : branch::Vary::launch; }
 
   /// No shot by so many cushions can be better than the best that is known.
   bool over(int cushions) {
@@ -142,7 +142,7 @@ class Search {
     for (const Candidate& c : candidates.candidates) {
       if (budget_.spent()) return;
       routes_.push_back(c.route);
-      Vector x = family::vector_of(c.launch, c.spin);
+      Vector x = branch::vector_of(c.launch, c.spin);
       if (request_.angle) {
         const double middle = (request_.angle->low + request_.angle->high) / 2;
         x[aim] = middle + angle_difference(wrap_angle(middle), x[aim]);
@@ -159,7 +159,7 @@ class Search {
     if (request_.all() || !(best > 0)) return true;
     Proof proof = prove_at(root.x);
     if (!proof.replayed || proof.shot.path.hits.empty()) return true;
-    const SearchRequest own = request_.spinning(family::spin_of(root.x));
+    const SearchRequest own = request_.spinning(branch::spin_of(root.x));
     add_first_order(own, proof.shot, budget_.work());
     const double estimate =
         std::max(likely(root, middle_of(root), proof.shot), estimate_in_middle(own, proof.shot, budget_.work()));
@@ -178,7 +178,7 @@ class Search {
   /// Finds the widest range of places across a pocket that are made at the speed of a root.
   void look_across(Root& root) {
     if (!safest() || two_equations() || !root.branch.aim_point.drops()) return;
-    const auto at = family::look(root.branch, budget_, root.x, family::Vary::launch);
+    const auto at = branch::look(root.branch, budget_, root.x, branch::Vary::launch);
     if (!at) return;
     const double slope = at->off[0].by[aim] * request_.problem->boundary.diagonal;
     root.slope = std::abs(slope);
@@ -237,16 +237,16 @@ class Search {
           shifts.push_back(cuts.exact - offset);
     }
     for (const double shift : shifts)
-      for (const double top : values(box_.low[family::top], box_.high[family::top]))
-        for (const double side : values(box_.low[family::side], box_.high[family::side]))
-          for (const double masse : values(box_.low[family::masse], box_.high[family::masse]))
+      for (const double top : values(box_.low[branch::top], box_.high[branch::top]))
+        for (const double side : values(box_.low[branch::side], box_.high[branch::side]))
+          for (const double masse : values(box_.low[branch::masse], box_.high[branch::masse]))
             follow_speeds(root, shift, {top, side, masse});
     if (asked_place()) go_to_place(root, first);
   }
 
   void follow_speeds(const Root& root, double shift, const LaunchSpin& spin) {
     Vector x = root.x;
-    x[family::top] = spin.top, x[family::side] = spin.side, x[family::masse] = spin.masse;
+    x[branch::top] = spin.top, x[branch::side] = spin.side, x[branch::masse] = spin.masse;
     const bool given = speed_given();
     for (int i = 0; i < (given ? 1 : grid_.speeds) && !budget_.spent(); ++i) {
       Vector from = x;
@@ -270,23 +270,23 @@ class Search {
   }
 
   Proof prove_at(const Vector& x, const Shot* like = nullptr) {
-    const SearchRequest own = request_.spinning(family::spin_of(x));
+    const SearchRequest own = request_.spinning(branch::spin_of(x));
     const Demand demand = !safest() ? Demand::exact : request_.puzzle().arrive ? Demand::off_centre : Demand::made;
     Goal goal = like ? Goal::counted(own, *like) : Goal::of(own);
     goal.demand = demand;
-    return prove(own, budget_, family::launch_of(x), goal);
+    return prove(own, budget_, branch::launch_of(x), goal);
   }
 
   /// Plays a launch without errors; none if it does not make the target, or the cue ball falls.
   std::optional<Launched> launched(const Root& root, const Vector& x, double shift, const Shot* like = nullptr) {
     Proof proof = prove_at(x, like);
     if (!proof.holds() || !request_.problem->keeps_cushions(proof.shot)) return {};
-    const SearchRequest own = request_.spinning(family::spin_of(x));
+    const SearchRequest own = request_.spinning(branch::spin_of(x));
     Ending ending = play_out(own, budget_, proof.shot.launch);
     if (!ending.cue_rests()) return {};
     proof.shot.path.cue_rests = ending.cue_rests();
     add_first_order(own, proof.shot, budget_.work());
-    proof.shot.provenance.planner = steps::word::leave;
+    proof.shot.provenance.planner = word::continuation;
     proof.shot.provenance.simulations = budget_.simulations();
     Launched out{&root, x, shift, std::move(proof.shot), std::move(ending)};
     out.promise = likely(root, shift, out.shot) * worth_(out.ending) - cost_of(out.shot);
@@ -400,7 +400,7 @@ class Search {
       moves.push_back({-1, step_across * width});
     }
     if (!speed_given()) moves.push_back({log_speed, step_speed});
-    for (const int c : {family::top, family::side, family::masse})
+    for (const int c : {branch::top, branch::side, branch::masse})
       if (box_.free(c)) moves.push_back({c, step_spin});
     return moves;
   }

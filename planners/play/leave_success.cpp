@@ -5,13 +5,13 @@
 #include <cmath>
 #include <optional>
 
-#include "planners/merit/margin.hpp"
-#include "planners/merit/plays.hpp"
-#include "planners/merit/rank.hpp"
-#include "planners/merit/success.hpp"
+#include "planners/evaluate/margin.hpp"
+#include "planners/evaluate/plays.hpp"
+#include "planners/evaluate/rank.hpp"
+#include "planners/evaluate/success.hpp"
 #include "planners/play/settings.hpp"
-#include "planners/proof/aftermath.hpp"
-#include "planners/proof/replay.hpp"
+#include "planners/verify/aftermath.hpp"
+#include "planners/verify/replay.hpp"
 
 namespace bankshot::planning::play {
 namespace {

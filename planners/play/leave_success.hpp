@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The success of a leave: the probability that the target is made and the cue ball stops as the puzzle asks. It is a
-// share of plays with the player's errors (merit/plays.hpp), each with all balls until they rest.
+// share of plays with the player's errors (evaluate/plays.hpp), each with all balls until they rest.
 // Cost: two simulations a play.
 #pragma once
 

@@ -8,7 +8,7 @@
 
 #include "bankshot/geometry/boundary.hpp"
 #include "planners/play/settings.hpp"
-#include "planners/proof/in_sight.hpp"
+#include "planners/verify/in_sight.hpp"
 
 namespace bankshot::planning::play {
 

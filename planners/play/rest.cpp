@@ -6,17 +6,17 @@
 #include <cmath>
 #include <limits>
 
-#include "planners/family/start_at.hpp"
-#include "planners/locked/arrival.hpp"
 #include "planners/play/settings.hpp"
+#include "planners/solve/start_at.hpp"
+#include "planners/trace/arrival.hpp"
 
 namespace bankshot::planning::play {
 namespace {
 
 using namespace settings::leave;
-using family::aim;
-using family::coordinates;
-using family::log_speed;
+using branch::aim;
+using branch::coordinates;
+using branch::log_speed;
 
 template <int N>
 std::optional<std::array<Value, 2>> rest_with(const SearchRequest& request, const CuePath& cue, const Vector& x,
@@ -25,18 +25,18 @@ std::optional<std::array<Value, 2>> rest_with(const SearchRequest& request, cons
   const RouteBalls balls(problem.boundary, cue.standing, collisions(problem.puzzle.physics), true);
   const Destination anywhere{problem.boundary.body, {}, 0, true};
   const auto arrival = with_physics(problem.puzzle.physics, [&](const auto& motion, const auto& cushion) {
-    return trace(balls, motion, cushion, std::span<const Meeting>(cue.meetings), family::start_at<N>(request, x),
+    return trace(balls, motion, cushion, std::span<const Meeting>(cue.meetings), branch::start_at<N>(request, x),
                  anywhere, work);
   });
   if (!arrival || !arrival->at_rest) return {};
-  return std::array{family::value_of<N>(arrival->state.at.x), family::value_of<N>(arrival->state.at.y)};
+  return std::array{branch::value_of<N>(arrival->state.at.x), branch::value_of<N>(arrival->state.at.y)};
 }
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, coordinates>;
 using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, coordinates, 1>;
 
 Vector scales() {
-  using namespace settings::family;
+  using namespace settings::branch;
   Vector s;
   s << scale_of_aim, scale_of_speed, scale_of_spin, scale_of_spin, scale_of_spin;
   return s;
@@ -76,7 +76,7 @@ Column least_step(const System& target, const System& rest) {
 }
 
 /// A step inside the box: a coordinate that would leave it stays at its bound.
-Vector step_inside(std::span<const Value> target, std::span<const Value> rest, const family::Box& box,
+Vector step_inside(std::span<const Value> target, std::span<const Value> rest, const branch::Box& box,
                    const Vector& x) {
   const Vector scale = scales();
   std::vector<int> free;
@@ -111,14 +111,14 @@ double most_of(std::span<const Value> equations) {
 }  // namespace
 
 std::optional<std::array<Value, 2>> rest_of(const SearchRequest& request, EvaluationBudget& budget, const CuePath& cue,
-                                            const Vector& x, family::Vary vary) {
+                                            const Vector& x, branch::Vary vary) {
   if (budget.spent()) return {};
   budget.charge(cue.meetings.size());
-  return vary == family::Vary::launch ? rest_with<2>(request, cue, x, budget.work())
+  return vary == branch::Vary::launch ? rest_with<2>(request, cue, x, budget.work())
                                       : rest_with<coordinates>(request, cue, x, budget.work());
 }
 
-TargetEquations equations_of(const Branch& a, const family::Point& point, double shift) {
+TargetEquations equations_of(const Branch& a, const branch::Point& point, double shift) {
   TargetEquations out;
   for (int i = 0; i < point.equations; ++i) out.each[out.count++] = point.off[static_cast<std::size_t>(i)];
   const SearchRequest& request = a.request;
@@ -131,13 +131,13 @@ TargetEquations equations_of(const Branch& a, const family::Point& point, double
 }
 
 std::optional<Placed> place(const Branch& a, EvaluationBudget& budget, const CuePath& cue, const Vec2d& wanted,
-                            const family::Box& box, Vector x, double shift, family::Vary vary) {
+                            const branch::Box& box, Vector x, double shift, branch::Vary vary) {
   const double diagonal = a.request.problem->boundary.diagonal;
   std::optional<Placed> best;
   double least = std::numeric_limits<double>::infinity();
   Vector before = x;
   for (int i = 0; i < most_steps && !budget.spent(); ++i) {
-    const auto point = family::look(a, budget, x, vary);
+    const auto point = branch::look(a, budget, x, vary);
     const auto at = point ? rest_of(a.request, budget, cue, x, vary) : std::nullopt;
     if (!at) {
       if (i == 0) return {};
@@ -168,10 +168,10 @@ std::optional<Placed> place(const Branch& a, EvaluationBudget& budget, const Cue
   return best;
 }
 
-std::optional<Vector> on_target(const Branch& a, EvaluationBudget& budget, const family::Box& box, Vector x,
+std::optional<Vector> on_target(const Branch& a, EvaluationBudget& budget, const branch::Box& box, Vector x,
                                 double shift) {
   for (int i = 0; i < most_steps && !budget.spent(); ++i) {
-    const auto point = family::look(a, budget, x, family::Vary::launch);
+    const auto point = branch::look(a, budget, x, branch::Vary::launch);
     if (!point) return {};
     const TargetEquations e = equations_of(a, *point, shift);
     Vector step = Vector::Zero();

@@ -2,7 +2,7 @@
 //
 // The rest of the cue ball along a given branch, with derivatives, and the launch that reaches the target and
 // leaves the cue ball at a given place: two branches from one launch, that of the target and that of the cue ball.
-// Unknowns are the coordinates of a family (family/point.hpp). Method: the equations of the target are kept; what they
+// Unknowns are the coordinates of a branch (solve/point.hpp). Method: the equations of the target are kept; what they
 // leave free brings the rest nearer by least change (Allgower & Georg, Introduction to Numerical Continuation Methods,
 // SIAM 2003, eq. 3.2.2). Where too little is free, the result is the nearest rest: Gauss and Newton's method.
 // Cost: two locked simulations a step, five steps from a launch nearby. Guarantee: none; a replay verifies the launch.
@@ -13,12 +13,12 @@
 #include <span>
 #include <vector>
 
-#include "planners/family/family.hpp"
+#include "planners/solve/branch_search.hpp"
 
 namespace bankshot::planning::play {
 
-using family::Value;
-using family::Vector;
+using branch::Value;
+using branch::Vector;
 
 /// The cue ball's part of a shot.
 struct CuePath {
@@ -28,9 +28,9 @@ struct CuePath {
 
 /// Returns the place in which the cue ball comes to rest [m]; none where it does not follow these meetings.
 std::optional<std::array<Value, 2>> rest_of(const SearchRequest& request, EvaluationBudget& budget, const CuePath& cue,
-                                            const Vector& x, family::Vary vary);
+                                            const Vector& x, branch::Vary vary);
 
-/// The equations of a target at a point of its branch, in the units of residuals (locked/residual.hpp): that it is
+/// The equations of a target at a point of its branch, in the units of residuals (trace/residual.hpp): that it is
 /// passed at the offset `shift` [m] from the exact line, or where it rests; and the arrival speed, if only one will do.
 struct TargetEquations {
   std::array<Value, 2> each{};
@@ -38,7 +38,7 @@ struct TargetEquations {
   std::span<const Value> all() const& { return std::span(each).first(count); }
   std::span<const Value> all() const&& = delete;
 };
-TargetEquations equations_of(const Branch& aim, const family::Point& point, double shift);
+TargetEquations equations_of(const Branch& aim, const branch::Point& point, double shift);
 
 struct Placed {
   Vector x;
@@ -49,11 +49,11 @@ struct Placed {
 /// Returns the launch near `x` that reaches its target, `shift` metres beside the exact line, and rests at `wanted`, or
 /// as near to it as it can.
 std::optional<Placed> place(const Branch& aim, EvaluationBudget& budget, const CuePath& cue, const Vec2d& wanted,
-                            const family::Box& box, Vector x, double shift, family::Vary vary);
+                            const branch::Box& box, Vector x, double shift, branch::Vary vary);
 
 /// Returns the launch beside `x` that reaches its target, by a change of the aim, and of the speed if the target has
 /// two equations.
-std::optional<Vector> on_target(const Branch& aim, EvaluationBudget& budget, const family::Box& box, Vector x,
+std::optional<Vector> on_target(const Branch& aim, EvaluationBudget& budget, const branch::Box& box, Vector x,
                                 double shift);
 
 }  // namespace bankshot::planning::play

@@ -49,7 +49,7 @@ inline constexpr double step_across = 0.15, step_speed = 0.12, step_spin = 0.25;
 /// 24 in 6.
 inline constexpr std::size_t approached = 24;
 inline constexpr int approach_halvings = 6;
-/// Newton's steps, and the longest in the scales of a family.
+/// Newton's steps, and the longest in the scales of a branch.
 inline constexpr int most_steps = 30;
 inline constexpr double longest_step = 1.5;
 /// Residual below which an equation is solved, as a share of the diagonal.

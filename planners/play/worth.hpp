@@ -5,7 +5,7 @@
 #pragma once
 
 #include "planners/play/next_pot.hpp"
-#include "planners/proof/aftermath.hpp"
+#include "planners/verify/aftermath.hpp"
 
 namespace bankshot::planning::play {
 

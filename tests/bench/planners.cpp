@@ -14,9 +14,9 @@
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/scene.hpp"
-#include "planners/images/unfold.hpp"
-#include "planners/locked/speed.hpp"
-#include "planners/proof/replay.hpp"
+#include "planners/propose/unfold.hpp"
+#include "planners/solve/speed.hpp"
+#include "planners/verify/replay.hpp"
 #include "support/random_puzzle.hpp"
 
 namespace {

@@ -29,8 +29,8 @@ int main(int argc, char** argv) {
   app.add_flag("--jaws", jaws);
   app.add_flag("--header", header);
   CLI11_PARSE(app, argc, argv);
-  long solved = 0, offset = 0, beside = 0, rattling = 0, parts = 0, simulations = 0, from_jaw_shot = 0, lost = 0,
-       lost_clean = 0, lost_at_the_end = 0;
+  long solved = 0, offset = 0, beside = 0, rattling = 0, simulations = 0, from_jaw_shot = 0, lost = 0, lost_clean = 0,
+       lost_at_the_end = 0;
   double us = 0;
   for (long i = 0; i < count; ++i) {
     test::Random random(seed, static_cast<std::uint64_t>(i));
@@ -51,15 +51,13 @@ int main(int argc, char** argv) {
     offset += shot.verification.offset != 0 && !shot.verification.off_centre;
     beside += shot.verification.off_centre && !shot.path.touches_jaws;
     rattling += shot.path.touches_jaws;
-    parts += shot.provenance.planner == "parts";
   }
   if (header)
     std::cout << "pockets,physics,seed,puzzles,by_rattle,solved,unsolved,unsolved_clean,unsolved_at_the_end,offset,"
-                 "beside,rattles,parts,"
-                 "simulations,us\n";
-  std::cout << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{:.1f},{:.1f}\n", jaws ? "jaws" : "circles", physics,
+                 "beside,rattles,simulations,us\n";
+  std::cout << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{:.1f},{:.1f}\n", jaws ? "jaws" : "circles", physics,
                            seed, count, from_jaw_shot, solved, lost, lost_clean, lost_at_the_end, offset, beside,
-                           rattling, parts, static_cast<double>(simulations) / static_cast<double>(count),
+                           rattling, static_cast<double>(simulations) / static_cast<double>(count),
                            us / static_cast<double>(count));
   return lost_clean > 0 ? 1 : 0;
 }

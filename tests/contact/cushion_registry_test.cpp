@@ -8,7 +8,7 @@
 
 #include "bankshot/scene/coefficients.hpp"
 #include "bankshot/scene/json.hpp"
-#include "planners/locked/varied.hpp"
+#include "planners/trace/varied.hpp"
 #include "support/catch.hpp"
 #include "support/models.hpp"
 

@@ -7,7 +7,7 @@
 #include "bankshot/geometry/opening.hpp"
 #include "bankshot/scene/ball.hpp"
 #include "bankshot/scene/table.hpp"
-#include "planners/locked/clearance.hpp"
+#include "planners/trace/clearance.hpp"
 #include "support/catch.hpp"
 
 using namespace bankshot;

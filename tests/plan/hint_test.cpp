@@ -59,6 +59,6 @@ TEST_CASE("a shot that only a looser search comes upon is the answer, and holds"
   const Answer a = solve(p);
   REQUIRE(a.status == Status::solved);
   CHECK(test::check_shot(p, a.shots[0]).problem.empty());
-  CHECK(a.shots[0].provenance.planner == "looser");
+  CHECK(a.shots[0].provenance.planner == "relaxed");
   CHECK_THAT(a.message, Catch::Contains("a search with looser bounds came upon it"));
 }

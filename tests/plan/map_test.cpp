@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/steps/steps.hpp"
+#include "planners/propose/proposers.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 #include "support/seed.hpp"
@@ -30,7 +30,7 @@ std::vector<Shot> mapped(const Puzzle& p, const planning::Spacing& spacing) {
   const planning::SearchRequest request(p, planning::Wanted::all);
   planning::EvaluationBudget budget(budget_of(p));
   planning::SearchResult found;
-  planning::steps::map(request, budget, found, spacing);
+  planning::propose::map(request, budget, found, spacing);
   return found.shots;
 }
 

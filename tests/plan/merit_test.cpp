@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/merit/margin.hpp"
-#include "planners/merit/rank.hpp"
-#include "planners/merit/success.hpp"
-#include "planners/proof/replay.hpp"
+#include "planners/evaluate/margin.hpp"
+#include "planners/evaluate/rank.hpp"
+#include "planners/evaluate/success.hpp"
+#include "planners/verify/replay.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 

@@ -3,8 +3,8 @@
 // Partial targets: the clearance that leads to them, and puzzles in which little more than a sliver is reachable.
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
-#include "planners/locked/clearance.hpp"
-#include "planners/proof/replay.hpp"
+#include "planners/trace/clearance.hpp"
+#include "planners/verify/replay.hpp"
 #include "support/catch.hpp"
 #include "support/lost_puzzles.hpp"
 #include "support/random_puzzle.hpp"

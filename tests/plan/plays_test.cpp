@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "planners/merit/plays.hpp"
+#include "planners/evaluate/plays.hpp"
 
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "bankshot/numbers/dual.hpp"
-#include "planners/certify.hpp"
 #include "planners/nearest.hpp"
 #include "planners/problem.hpp"
 #include "planners/search_request.hpp"
 #include "planners/search_result.hpp"
 #include "planners/start.hpp"
 #include "planners/stop.hpp"
+#include "planners/verify/certify.hpp"
 #include "support/catch.hpp"
 #include "support/straight.hpp"
 

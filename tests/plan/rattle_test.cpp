@@ -45,7 +45,7 @@ Counted ask(int count, bool spin, bool at_the_end) {
     out.rattling += shot.path.touches_jaws;
     out.winding += shot.path.touches_jaws && winds(shot, drop.puzzle);
     if (shot.path.touches_jaws) CHECK(shot.verification.off_centre);
-    if (shot.path.touches_jaws && spin) CHECK(shot.provenance.planner == "rattles");
+    if (shot.path.touches_jaws && spin) CHECK(shot.provenance.planner == "partition");
     CHECK(std::abs(shot.path.arrival.speed - drop.puzzle.arrive->low) < 1e-8);
     test::check_claims(drop.puzzle, a);
   }

@@ -5,7 +5,7 @@
 
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
-#include "planners/proof/replay.hpp"
+#include "planners/verify/replay.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 

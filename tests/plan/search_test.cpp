@@ -6,9 +6,9 @@
 #include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/plan/planner.hpp"
 #include "planners/evaluation_budget.hpp"
-#include "planners/line_search.hpp"
-#include "planners/locked/newton.hpp"
-#include "planners/proof/replay.hpp"
+#include "planners/solve/line_search.hpp"
+#include "planners/solve/newton.hpp"
+#include "planners/verify/replay.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/merit/settings.hpp"
-#include "planners/merit/success.hpp"
-#include "planners/proof/replay.hpp"
+#include "planners/evaluate/settings.hpp"
+#include "planners/evaluate/success.hpp"
+#include "planners/verify/replay.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 #include "support/seed.hpp"

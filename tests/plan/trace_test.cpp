@@ -2,16 +2,16 @@
 //
 // A trace, a discovered path and a simulation of one launch agree (stress/traced.cpp goes on with more), and count
 // their work alike.
-#include "planners/locked/trace.hpp"
+#include "planners/trace/trace.hpp"
 
 #include <vector>
 
 #include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/simulator.hpp"
 #include "bankshot/simulate/with_physics.hpp"
-#include "planners/locked/discover.hpp"
-#include "planners/locked/real_legs.hpp"
 #include "planners/start.hpp"
+#include "planners/trace/discover.hpp"
+#include "planners/trace/real_legs.hpp"
 #include "support/catch.hpp"
 #include "support/random_balls.hpp"
 #include "support/random_question.hpp"

@@ -2,7 +2,7 @@
 #include "planners/play/rest.hpp"
 
 #include "bankshot/scene/json.hpp"
-#include "planners/proof/aftermath.hpp"
+#include "planners/verify/aftermath.hpp"
 #include "support/catch.hpp"
 
 using namespace bankshot;
@@ -20,11 +20,11 @@ struct OnePot {
   std::vector<StandingBall> standing{{1, request.problem->whole->balls()[1].boundary, puzzle.others[0].at}};
   Route hit{{0, Contact::ball(1)}};
   Branch branch{request, hit, request.problem->aim_points.front()};
-  family::Vector x = family::vector_of({2.4, 0.49}, {0.2, 0.4, 0});
+  branch::Vector x = branch::vector_of({2.4, 0.49}, {0.2, 0.4, 0});
 
-  play::CuePath path(const family::Vector& at) {
-    const SearchRequest own = request.spinning(family::spin_of(at));
-    return {play_out(own, budget, family::launch_of(at)).cue, standing};
+  play::CuePath path(const branch::Vector& at) {
+    const SearchRequest own = request.spinning(branch::spin_of(at));
+    return {play_out(own, budget, branch::launch_of(at)).cue, standing};
   }
 };
 
@@ -33,18 +33,18 @@ struct OnePot {
 TEST_CASE("where the cue ball rests along its branch is where the simulator leaves it, and derivatives agree") {
   OnePot s;
   const play::CuePath path = s.path(s.x);
-  const auto rest = play::rest_of(s.request, s.budget, path, s.x, family::Vary::spin_too);
+  const auto rest = play::rest_of(s.request, s.budget, path, s.x, branch::Vary::spin_too);
   REQUIRE(rest);
-  const Ending ending = play_out(s.request.spinning(family::spin_of(s.x)), s.budget, family::launch_of(s.x));
+  const Ending ending = play_out(s.request.spinning(branch::spin_of(s.x)), s.budget, branch::launch_of(s.x));
   REQUIRE(ending.cue_rests());
   CHECK(ending.traceable);
   CHECK(norm(*ending.cue_rests() - Vec2d{(*rest)[0].a, (*rest)[1].a}) < 1e-10);
-  for (const int i : {family::aim, family::log_speed, family::top, family::side}) {
+  for (const int i : {branch::aim, branch::log_speed, branch::top, branch::side}) {
     constexpr double step = 1e-6;
-    family::Vector less = s.x, more = s.x;
+    branch::Vector less = s.x, more = s.x;
     less[i] -= step, more[i] += step;
-    const auto a = play::rest_of(s.request, s.budget, path, less, family::Vary::launch),
-               b = play::rest_of(s.request, s.budget, path, more, family::Vary::launch);
+    const auto a = play::rest_of(s.request, s.budget, path, less, branch::Vary::launch),
+               b = play::rest_of(s.request, s.budget, path, more, branch::Vary::launch);
     REQUIRE(a);
     REQUIRE(b);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -56,28 +56,28 @@ TEST_CASE("where the cue ball rests along its branch is where the simulator leav
 
 TEST_CASE("a launch on target is led to a place nearby, and stays on target") {
   OnePot s;
-  const family::Box box = family::box_of(s.request);
+  const branch::Box box = branch::box_of(s.request);
   const auto from = play::on_target(s.branch, s.budget, box, s.x, 0);
   REQUIRE(from);
   const play::CuePath path = s.path(*from);
-  const auto rest = play::rest_of(s.request, s.budget, path, *from, family::Vary::launch);
+  const auto rest = play::rest_of(s.request, s.budget, path, *from, branch::Vary::launch);
   REQUIRE(rest);
   const Vec2d wanted = Vec2d{(*rest)[0].a, (*rest)[1].a} + Vec2d{0.004, 0.006};
-  const auto placed = play::place(s.branch, s.budget, path, wanted, box, *from, 0, family::Vary::spin_too);
+  const auto placed = play::place(s.branch, s.budget, path, wanted, box, *from, 0, branch::Vary::spin_too);
   REQUIRE(placed);
   CHECK(norm(placed->rest - wanted) < 1e-10);
-  const auto point = family::look(s.branch, s.budget, placed->x, family::Vary::launch);
+  const auto point = branch::look(s.branch, s.budget, placed->x, branch::Vary::launch);
   REQUIRE(point);
   const play::TargetEquations equations = play::equations_of(s.branch, *point, 0);
-  for (const family::Value& e : equations.all()) CHECK(std::abs(e.a) < 1e-11);
+  for (const branch::Value& e : equations.all()) CHECK(std::abs(e.a) < 1e-11);
 }
 
 TEST_CASE("across the target a launch passes so far beside the exact line") {
   OnePot s;
   constexpr double shift = 0.004;
-  const auto beside = play::on_target(s.branch, s.budget, family::box_of(s.request), s.x, shift);
+  const auto beside = play::on_target(s.branch, s.budget, branch::box_of(s.request), s.x, shift);
   REQUIRE(beside);
-  const auto point = family::look(s.branch, s.budget, *beside, family::Vary::launch);
+  const auto point = branch::look(s.branch, s.budget, *beside, branch::Vary::launch);
   REQUIRE(point);
   CHECK(point->off[0].a * s.request.problem->boundary.diagonal == Approx(shift).epsilon(1e-9));
 }

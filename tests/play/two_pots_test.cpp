@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "bankshot/scene/json.hpp"
-#include "planners/proof/aftermath.hpp"
+#include "planners/verify/aftermath.hpp"
 #include "support/catch.hpp"
 #include "support/played.hpp"
 

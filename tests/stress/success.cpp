@@ -16,9 +16,9 @@
 #include <string>
 
 #include "bankshot/plan/planner.hpp"
-#include "planners/merit/success.hpp"
-#include "planners/proof/replay.hpp"
+#include "planners/evaluate/success.hpp"
 #include "planners/search_result.hpp"
+#include "planners/verify/replay.hpp"
 #include "support/families.hpp"
 #include "support/random_layout.hpp"
 

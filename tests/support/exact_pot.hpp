@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "planners/play/rest.hpp"
-#include "planners/proof/prove.hpp"
+#include "planners/verify/prove.hpp"
 #include "support/played.hpp"
 #include "support/random_layout.hpp"
 
@@ -29,16 +29,16 @@ struct Struck {
 /// Returns the launch of this speed and spin on the exact line into a mouth; none if there is none.
 inline std::optional<Struck> exact_pot(const planning::SearchRequest& request, const AimPoint& mouth, double speed,
                                        const LaunchSpin& spin) {
-  namespace family = planning::family;
+  namespace branch = planning::branch;
   const Puzzle& p = request.puzzle();
   const Vec2d object = p.others[0].at, way = mouth.at - object;
   const Vec2d ghost = object - way * (2 * p.ball.body.radius / norm(way)), run = ghost - p.ball.at;
   const Route hit{{0, Contact::ball(1)}};
   planning::EvaluationBudget budget(1000000);
-  const auto x = planning::play::on_target({request, hit, mouth}, budget, family::box_of(request),
-                                           family::vector_of({speed, std::atan2(run.y, run.x)}, spin), 0);
+  const auto x = planning::play::on_target({request, hit, mouth}, budget, branch::box_of(request),
+                                           branch::vector_of({speed, std::atan2(run.y, run.x)}, spin), 0);
   if (!x) return {};
-  return Struck{family::launch_of(*x), family::spin_of(*x)};
+  return Struck{branch::launch_of(*x), branch::spin_of(*x)};
 }
 
 /// Returns where an exact pot leaves the cue ball; none if the ball does not fall, meets a rail, a jaw or another ball

@@ -16,7 +16,7 @@
 #include "bankshot/simulate/locked.hpp"
 #include "bankshot/simulate/trajectory.hpp"
 #include "bankshot/simulate/with_physics.hpp"
-#include "planners/locked/discover.hpp"
+#include "planners/trace/discover.hpp"
 
 namespace bankshot::test {
 namespace {

@@ -107,7 +107,7 @@ struct Verification {
 struct Robustness {
   /// First-order margin in standard deviations of the player. It ranks shots if success is not computed.
   double first_order = 0;
-  double success_estimate = 0;  ///< to first order, from one simulation (planners/merit/first_order.hpp)
+  double success_estimate = 0;  ///< to first order, from one simulation (planners/evaluate/first_order.hpp)
   std::optional<Margin> margin{};
   std::optional<double> success{};         ///< probability that the shot is made under the puzzle's noise
   std::optional<double> value{};           ///< success minus `cost_of` the shot

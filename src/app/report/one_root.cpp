@@ -11,10 +11,10 @@
 #include <optional>
 
 #include "bankshot/numbers/dual.hpp"
-#include "planners/images/unfold.hpp"
-#include "planners/locked/arrival.hpp"
-#include "planners/locked/newton.hpp"
-#include "planners/locked/speed.hpp"
+#include "planners/propose/unfold.hpp"
+#include "planners/solve/newton.hpp"
+#include "planners/solve/speed.hpp"
+#include "planners/trace/arrival.hpp"
 
 namespace bankshot::app::report {
 namespace {

@@ -147,7 +147,8 @@ inline constexpr Key answer_shot_keys[] = {
      "[t, x, y] 60 times a second and at every event"},
     {"paths", "<[place]>", "s, m, m", "with --path, where other balls move",
      R"({"8": [[0.71, 1.6, 0.7], [0.73, 1.62, 0.71]]})", "paths of the other balls that move"},
-    {"planner", "string", "", required, R"("images")", "the step that found it"},
+    {"planner", "string", "", required, R"("unfold")",
+     "how it was found: unfold, partition, continuation, relaxed, global, or the planner that was asked for"},
     {"simulations", "whole", "", required, "9", "spent until it was verified", at_least(0)},
     {"why", "string", "", "of `nearest` alone", R"("ends 0.2 m short")", "what is wrong with a miss"},
 };

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "planners/evaluate/safest.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "planners/evaluate/first_order.hpp"
+#include "planners/evaluate/outcome_map.hpp"
+#include "planners/evaluate/settings.hpp"
+#include "planners/evaluate/success.hpp"
+#include "planners/verify/aftermath.hpp"
+#include "planners/verify/certify.hpp"
+#include "planners/verify/prove.hpp"
+
+namespace bankshot::planning {
+namespace {
+
+/// The same shot with another launch, which may brush a rail on its way where the puzzle allows that; none where it is
+/// not made.
+std::optional<Shot> moved(const SearchRequest& request, EvaluationBudget& budget, const Shot& from, const Launch& to) {
+  Goal goal = Goal::counted(request, from);
+  if (request.puzzle().arrive) goal.demand = Demand::off_centre;
+  Proof proof = prove(request, budget, to, goal);
+  if (!proof.holds()) return {};
+  Shot& shot = proof.shot;
+  add_aftermath(request, budget, shot);
+  shot.provenance.planner = from.provenance.planner;
+  shot.provenance.simulations = from.provenance.simulations;
+  shot.provenance.moved = true;
+  add_first_order(request, shot, budget.work());
+  shot.verification.digits = promised_digits(request, shot);
+  find_success(request, budget, shot);
+  return std::move(shot);
+}
+
+}  // namespace
+
+bool make_safest(const SearchRequest& request, EvaluationBudget& budget, Shot& shot, double worth) {
+  using namespace settings::outcome_map;
+  OutcomeMap map(request, budget, shot);
+  const auto likely = map.best(worth);
+  if (likely.empty() && worth > -1) return false;
+  std::optional<Shot> best;
+  const std::size_t tried = request.all() ? 1 : most_tried;  // a list has many shots
+  for (const auto& [launch, value] : std::span(likely).first(std::min(likely.size(), tried))) {
+    auto there = moved(request, budget, shot, launch);
+    if (there && request.problem->keeps_cushions(*there) &&
+        (!best || *there->robustness.value > *best->robustness.value))
+      best = std::move(there);
+    if (best && *best->robustness.value > value) break;  // it keeps what the map promised
+  }
+  if (!shot.robustness.success) find_success(request, budget, shot);
+  if (best && (!request.problem->keeps_cushions(shot) || *best->robustness.value > *shot.robustness.value))
+    shot = std::move(*best);
+  return true;
+}
+
+}  // namespace bankshot::planning

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "planners/propose/forward_map.hpp"
+#include "bankshot/geometry/aim_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planners/settings.hpp"
+
+namespace bankshot::planning::propose {
+
+using namespace settings::forward_map;
+
+namespace {
+
+/// m/s. No slower launch rolls as far as the nearest aim point, nor arrives as fast as asked.
+double slowest_arrival(const SearchRequest& request) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const AimPoint& m : request.problem->aim_points)
+    nearest = std::min(nearest, norm(m.at - request.puzzle().ball.at) - m.capture());
+  const double asked = request.arrival ? request.arrival->low : 0;
+  const double energy = asked * asked + 2 * deceleration(request.puzzle().physics) * std::max(0.0, nearest);
+  return std::max(std::sqrt(energy), settings::slowest_of_fastest * request.speed.high);
+}
+
+}  // namespace
+
+std::vector<double> speeds_to_try(const SearchRequest& request, double cell) {
+  const Range& v = request.speed;
+  if (request.pinned || v.fixed()) return {request.pinned.value_or(v.low)};
+  const double low = std::max(v.low, slowest_arrival(request));
+  if (!(low < v.high)) return {v.high};
+  const int rows = 1 + static_cast<int>(std::ceil(std::log(v.high / low) / cell));
+  std::vector<double> out;
+  for (int i = 0; i < rows; ++i) out.push_back(low * std::pow(v.high / low, static_cast<double>(i) / (rows - 1)));
+  return out;
+}
+
+void ForwardMap::run() {
+  const Range aims = request_.angle.value_or(whole_turn);
+  const int columns = std::max(1, static_cast<int>(std::ceil((aims.high - aims.low) / cell_.aim)));
+  const auto aim = [&](int i) { return aims.low + (aims.high - aims.low) * i / columns; };
+  const std::vector<double> rows = speeds_to_try(request_, cell_.speed);
+  Column before = column(aim(0), rows, {});
+  for (int i = 1; i <= columns && !roots_.done(); ++i) {
+    Column after = column(aim(i), rows, before);
+    for (std::size_t k = 0; k < rows.size() && !roots_.done(); ++k) {
+      if (within(before[k]) && !after[k]) after[k] = node(aim(i), rows[k]);
+      if (within(after[k]) && !before[k]) before[k] = node(aim(i - 1), rows[k]);
+      if (before[k] && after[k]) between(*before[k], *after[k]);
+    }
+    before = std::move(after);
+  }
+  roots_.seek_rest();
+  if (found_.shots.empty() && !request_.starts())
+    found_.candidates.insert(found_.candidates.end(), candidates_.begin(), candidates_.end());
+}
+
+/// Only the speeds around those that arrive as asked matter. They change little from one aim to the next, so begin near
+/// where they began at the neighbour, and go up until a row is too fast, down until one is too slow.
+ForwardMap::Column ForwardMap::column(double angle, const std::vector<double>& rows, const Column& neighbour) {
+  Column out(rows.size());
+  const auto first =
+      static_cast<std::size_t>(std::find_if(neighbour.begin(), neighbour.end(), within) - neighbour.begin());
+  const std::size_t start = first < neighbour.size() ? first : 0;
+  const auto place = [&](std::size_t k) {
+    out[k] = node(angle, rows[k]);
+    return out[k]->place;
+  };
+  bool too_fast = false, too_slow = false;
+  for (std::size_t k = start; k < rows.size() && !too_fast && !roots_.done(); ++k) {
+    const Place p = place(k);
+    too_fast = p == Place::beyond;
+    too_slow = too_slow || (k == start && p == Place::below);
+  }
+  for (std::size_t k = start; k-- > 0 && !too_slow && !roots_.done();) too_slow = place(k) == Place::below;
+  return out;
+}
+
+ForwardMap::Node ForwardMap::node(double angle, double speed) {
+  discover(request_, budget_, {speed, wrap_angle(angle)}, !cell_.whole, forward_);
+  for (const Passage& p : forward_.passages) {
+    keep_lead(angle, speed, p);
+    roots_.visit({request_, std::span<const Meeting>(forward_.route).first(p.meetings),
+                  request_.problem->aim_points[p.aim_point]},
+                 {speed, angle}, p.linear);
+  }
+  return {angle, speed, forward_.route, forward_.places, place()};
+}
+
+/// Of what was followed last.
+ForwardMap::Place ForwardMap::place() const {
+  // A reflex vertex sends a little less speed another way.
+  if (cell_.whole || !request_.problem->boundary.unfolds()) return Place::within;
+  if (forward_.passages.empty()) return forward_.rests ? Place::below : Place::within;
+  bool below = true, beyond = true;
+  for (const Passage& p : forward_.passages) {
+    const double cells = cells_of_speed(p);
+    below = below && cells > 1;
+    beyond = beyond && cells < -1;
+  }
+  return below ? Place::below : beyond ? Place::beyond : Place::within;
+}
+
+/// Cells of speed to where it arrives as asked.
+double ForwardMap::cells_of_speed(const Passage& p) const {
+  const Linear& l = p.linear;
+  if (request_.one_unknown()) return 0;
+  if (!request_.stop) return -l.r[1] / l.by_speed(1) / cell_.speed;
+  const double diagonal = request_.problem->boundary.diagonal;
+  // A ball rests there that is too fast.
+  const double outside = -request_.problem->boundary.clearance(request_.problem->aim_points[p.aim_point].at -
+                                                               Vec2d{l.r[0], l.r[1]} * diagonal);
+  return outside > 0 ? -outside / (diagonal * std::hypot(l.by_speed(0), l.by_speed(1))) / cell_.speed : 0;
+}
+
+/// Keeps a node from which a turn within its cell may reach some part of the target, though perhaps
+/// not its centre, at the speed that arrives as asked.
+void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
+  if (!found_.shots.empty()) return;
+  const Linear& l = p.linear;
+  double lateral = l.r[0], by_aim = l.by_aim(0), step = 0;
+  if (!request_.one_unknown()) {
+    const std::size_t along = !request_.stop || std::abs(l.by_speed(1)) > std::abs(l.by_speed(0)) ? 1 : 0;
+    step = -l.r[along] / l.by_speed(along);
+    lateral = l.r[1 - along] + l.by_speed(1 - along) * step;
+    by_aim = l.by_aim(1 - along) - l.by_speed(1 - along) * l.by_aim(along) / l.by_speed(along);
+  }
+  const AimPoint& aim_point = request_.problem->aim_points[p.aim_point];
+  const double wide = aim_point.reach / request_.problem->boundary.diagonal + std::abs(by_aim) * cell_.aim;
+  if (!(std::abs(lateral) < wide && std::abs(step) < settings::roots::seed_reach * cell_.speed)) return;
+  const std::span<const Meeting> route(forward_.route.data(), p.meetings);
+  for (const Candidate& known : candidates_)
+    if (known.aim_point == aim_point && std::abs(angle_difference(known.launch.angle, angle)) < cell_.aim / 2 &&
+        std::ranges::equal(known.route, route))
+      return;
+  candidates_.push_back(
+      {{speed * std::exp(step), wrap_angle(angle)}, {route.begin(), route.end()}, aim_point, request_.spin, cell_.aim});
+}
+
+void ForwardMap::between(const Node& a, const Node& b) {
+  if ((request_.route && !cell_.whole) || a.route == b.route || hopeless(a, b) || budget_.spent()) return;
+  if (b.angle - a.angle < cell_.narrowest) return;
+  const Node other = node(change(a, b), a.speed);
+  between(a, other);
+  between(other, b);
+}
+
+/// A path between them is too fast as well, or ends too early to meet all the cushions.
+bool ForwardMap::hopeless(const Node& a, const Node& b) const {
+  if (a.place != b.place) return false;
+  const auto most = static_cast<int>(std::max(a.route.size(), b.route.size()));
+  return a.place == Place::beyond || (a.place == Place::below && most + 1 < request_.cushions().min);
+}
+
+/// Just beyond where one of two neighbours stops meeting the cushion that the other does not, as far as its
+/// derivatives tell; else half way.
+double ForwardMap::change(const Node& a, const Node& b) const {
+  const auto differ = std::mismatch(a.route.begin(), a.route.end(), b.route.begin(), b.route.end());
+  const auto m = static_cast<std::size_t>(differ.first - a.route.begin());
+  double best = a.angle + (b.angle - a.angle) / 2, nearest = (b.angle - a.angle) / 2;
+  for (const auto& [node, way] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
+    const Wall* const line = m < node->route.size() && m < node->places.size()
+                                 ? request_.problem->boundary.line(node->route[m].with)
+                                 : nullptr;
+    if (!line) continue;
+    const BouncePlace& at = node->places[m];
+    const double end = dot(line->along, at.by_aim * way > 0 ? line->to : line->from);
+    const double turn = std::max(cell_.narrowest / 3, past_the_end * (end - at.along) / at.by_aim * way);
+    if (turn < nearest) best = node->angle + way * turn, nearest = turn;
+  }
+  return best;
+}
+
+}  // namespace bankshot::planning::propose

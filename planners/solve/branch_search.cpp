@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include "planners/solve/branch_search.hpp"
+#include "bankshot/geometry/aim_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include "planners/evaluate/first_order.hpp"
+#include "planners/evaluate/rank.hpp"
+#include "planners/evaluate/success.hpp"
+#include "planners/solve/settings.hpp"
+#include "planners/verify/aftermath.hpp"
+#include "planners/verify/certify.hpp"
+
+namespace bankshot::planning::branch {
+
+using namespace settings::branch;
+
+namespace {
+
+/// The turn of an aim that brings it nearest to the middle of its bounds.
+double near_window(double angle, const std::optional<Range>& window) {
+  if (!window) return angle;
+  const double middle = (window->low + window->high) / 2;
+  return middle + angle_difference(wrap_angle(middle), angle);
+}
+
+/// rad: turns of the compass that never repeat.
+constexpr double golden_turn = std::numbers::pi * (3 - 2.23606797749979);
+
+/// Returns the value to first order. Where that is not positive it returns less, which still grows with success.
+double likely_value(const Shot& shot) {
+  const double estimate = shot.robustness.success_estimate, value = estimate - cost_of(shot);
+  return value > 0 ? value : std::log(std::max(estimate, settings::rounding));
+}
+
+}  // namespace
+
+Box box_of(const SearchRequest& request) {
+  const auto ln = [](double v) { return v > 0 ? std::log(v) : -infinite; };
+  const Range v = request.pinned ? Range{*request.pinned, *request.pinned} : request.speed;
+  const Range aims = request.angle.value_or(Range{-infinite, infinite});
+  const LaunchSpin& s = request.spin;
+  const SpinRange spin =
+      request.puzzle().spin_range.value_or(SpinRange{{s.top, s.top}, {s.side, s.side}, {s.masse, s.masse}});
+  Box box;
+  box.low << aims.low, ln(v.low), spin.top.low, spin.side.low, spin.masse.low;
+  box.high << aims.high, ln(v.high), spin.top.high, spin.side.high, spin.masse.high;
+  return box;
+}
+
+int BranchSearch::freedom(const SearchRequest& request) {
+  const Box box = box_of(request);
+  int free = 0;
+  for (int i = 0; i < coordinates; ++i) free += box.free(i);
+  const bool speed_asked = request.arrival && !request.pinned && (request.stop || request.arrival->fixed());
+  return free - 1 - (speed_asked ? 1 : 0);
+}
+
+BranchSearch::BranchSearch(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found,
+                           const Candidate& start)
+    : request_(request.spinning(start.spin)),
+      budget_(budget),
+      found_(found),
+      start_(start),
+      aim_{request_, start.route, start.aim_point},
+      box_(box_of(request)),
+      wide_(box_),
+      vary_(request.puzzle().spin_range ? Vary::spin_too : Vary::launch) {
+  wide_.low[aim] = -infinite, wide_.high[aim] = infinite;
+  if (box_.free(log_speed)) wide_.low[log_speed] = -infinite, wide_.high[log_speed] = infinite;
+  scale_ << scale_of_aim, scale_of_speed, scale_of_spin, scale_of_spin, scale_of_spin;
+}
+
+void BranchSearch::search() {
+  const int free = freedom(request_);
+  const auto from = corrected(near_start(), wide_);
+  if (!from || (free == 1 && is_hopeless(*from))) return;
+  Curve curve = free == 1 ? curve_through(*from) : Curve{{*from}};
+  add_crossings(curve);
+  keep_parts(curve);
+  if (!drops() || is_listed(start_.aim_point, aim_.route, found_.shots)) return;
+  if (!request_.all() || !look_beside(curve)) look_for_jaw_shots(curve);
+}
+
+std::optional<BranchSearch::Tried> BranchSearch::foot() {
+  const auto from = corrected(near_start(), box_);
+  return from ? std::optional(clear(attempt(*from))) : std::nullopt;
+}
+
+void BranchSearch::climb_from(const Tried& from) {
+  const Tried best = climb(from);
+  if (best.made())
+    keep(best);
+  else if (drops())
+    look_for_jaw_shots({attempt_where_clear(best.at)});
+}
+
+Vector BranchSearch::near_start() const {
+  return vector_of({start_.launch.speed, near_window(start_.launch.angle, request_.angle)}, start_.spin);
+}
+
+bool BranchSearch::is_listed(const AimPoint& aim_point, std::span<const Meeting> route,
+                             std::span<const Shot> among) const {
+  return std::ranges::any_of(among, [&](const Shot& shot) {
+    return request_.problem->aim_point_of(shot) == aim_point && std::ranges::equal(route_of(shot), route);
+  });
+}
+
+double BranchSearch::merit(const Point& p) const {
+  switch (request_.puzzle().prefer) {
+    case Prefer::soft:
+      return -p.x[log_speed];
+    case Prefer::quick:
+      return -p.time.a;
+    case Prefer::robust:
+      break;
+  }
+  return 0;  // until it is proved
+}
+
+bool BranchSearch::is_hopeless(const Point& p) {
+  return clearance(aim_, budget_, launch_of(p.x)).value_or(0) < -hopeless * request_.problem->boundary.diagonal;
+}
+
+bool BranchSearch::inside(const Point& p) const {
+  for (int i = 0; i < coordinates; ++i)
+    if (p.x[i] < box_.low[i] - settings::settled || p.x[i] > box_.high[i] + settings::settled) return false;
+  return true;
+}
+
+BranchSearch::Tried BranchSearch::attempt(const Point& p) {
+  Tried t{p, merit(p), {}};
+  if (!inside(p)) return t;
+  request_.spin = spin_of(p.x);
+  t.proof = prove(request_, budget_, launch_of(p.x), Goal::exactly(request_, bounces_of(aim_.route)));
+  if (t.made() && request_.puzzle().prefer == Prefer::robust) {
+    budget_.charge(aim_.route.size());
+    add_first_order(request_, t.proof->shot, budget_.work());
+    t.merit = likely_value(t.proof->shot);
+  }
+  return t;
+}
+
+/// Of launches that are no shots, the one with most room is nearest to one.
+BranchSearch::Tried BranchSearch::clear(Tried t) {
+  if (!t.made()) t.merit = clearance(aim_, budget_, launch_of(t.at.x)).value_or(-infinite);
+  return t;
+}
+
+BranchSearch::Tried BranchSearch::climb(Tried at) {
+  double step = 1, turned = 0;
+  const auto first = [&] { return request_.first() && at.made(); };
+  for (int evaluations = 0; !first() && evaluations < settings::most_steps && step > finest && !budget_.spent();) {
+    bool moved = false;
+    for (const Vector& way : ways(at, turned)) {
+      ++evaluations;
+      const auto p = corrected(at.at.x + step * scale_.cwiseProduct(way), box_);
+      if (!p) continue;
+      Tried t = clear(attempt(*p));
+      if (!t.above(at)) continue;
+      at = std::move(t);
+      moved = true;
+      break;
+    }
+    step = moved ? std::min(2 * step, longest_step) : step / 3;
+    turned += golden_turn;
+  }
+  return at;
+}
+
+/// Ways to try from a point: up the slope of what is preferred, where that is known; then all of a basis of the tangent
+/// space, turned each time so that no ridge hides between them.
+std::vector<Vector> BranchSearch::ways(const Tried& from, double turned) const {
+  Eigen::MatrixXd basis = tangents(from.at);
+  std::vector<Vector> out;
+  Vector slope = Vector::Zero();
+  if (from.made() && request_.puzzle().prefer == Prefer::soft) slope[log_speed] = -1;
+  if (from.made() && request_.puzzle().prefer == Prefer::quick) slope = -from.at.time.by;
+  slope = basis * (basis.transpose() * scale_.cwiseProduct(slope));
+  if (slope.norm() > 0) out.push_back(slope.normalized());
+  for (Eigen::Index i = 0; i + 1 < basis.cols(); ++i) {
+    const Eigen::VectorXd a = basis.col(i), b = basis.col(i + 1);
+    basis.col(i) = a * std::cos(turned) + b * std::sin(turned);
+    basis.col(i + 1) = b * std::cos(turned) - a * std::sin(turned);
+  }
+  for (Eigen::Index i = 0; i < basis.cols(); ++i) {
+    out.push_back(basis.col(i));
+    out.push_back(-basis.col(i));
+  }
+  return out;
+}
+
+Shot BranchSearch::tuned(const Shot& shot) {
+  Shot best = shot;
+  if (!best.robustness.success) find_success(request_, budget_, best);
+  auto at = corrected(vector_of({best.launch.speed, near_window(best.launch.angle, request_.angle)}, best.spin), box_);
+  double step = 1, turned = 0;
+  for (int tried = 0; at && tried < most_tuned && step > finest && *best.robustness.success < settings::sure;) {
+    std::optional<Shot> better;
+    Point there;
+    for (const Vector& way : ways({*at}, turned)) {
+      const auto next = corrected(at->x + step * scale_.cwiseProduct(way), box_);
+      Tried t = next ? attempt(*next) : Tried{};
+      if (!t.made()) continue;
+      find_success(request_, budget_, t.proof->shot);
+      ++tried;
+      if (!(*t.proof->shot.robustness.value >
+            (better ? *better : best).robustness.value.value() + (better ? 0 : settings::worth_a_search)))
+        continue;
+      better = std::move(t.proof->shot);
+      there = *next;
+    }
+    if (better) {
+      at = there;
+      better->provenance.planner = best.provenance.planner;
+      better->provenance.simulations = best.provenance.simulations;
+      best = std::move(*better);
+      add_aftermath(request_, budget_, best);
+    } else {
+      step /= 2;
+    }
+    turned += golden_turn;
+  }
+  return best;
+}
+
+void BranchSearch::keep(const Tried& t) {
+  request_.spin = spin_of(t.at.x);
+  planning::keep(request_, budget_, found_, t.proof->shot, Goal::exactly(request_, bounces_of(aim_.route)),
+                 word::continuation);
+}
+
+void tune(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
+  const Puzzle& p = request.puzzle();
+  // Of what is moved to its safest launch, speed and aim are chosen there.
+  const bool chosen_later = request.problem->safest() && request.all();
+  if (p.prefer != Prefer::robust || chosen_later || is_straight(p.physics) || BranchSearch::freedom(request) == 0)
+    return;
+  // First order knows little of what else may lead a carom to its second ball: the best is one of several.
+  const std::size_t some = request.problem->carom() ? std::min(found.shots.size(), most_tuned_caroms) : 1;
+  const std::span<Shot> shots = std::span(found.shots).first(request.all() ? found.shots.size() : some);
+  for (Shot& shot : shots) {
+    const Candidate candidate{shot.launch, route_of(shot), request.problem->aim_point_of(shot), shot.spin};
+    if (!shot.verification.off_centre) shot = BranchSearch(request, budget, found, candidate).tuned(shot);
+  }
+  if (!request.all()) return order_by_value(shots);
+  // Two that were tuned into one lay on one curve.
+  std::vector<Shot> distinct;
+  for (Shot& shot : found.shots) {
+    const auto same = [&](const Shot& known) { return known.spin == shot.spin && same_shot(request, known, shot); };
+    if (std::ranges::none_of(distinct, same)) distinct.push_back(std::move(shot));
+  }
+  found.shots = std::move(distinct);
+}
+
+}  // namespace bankshot::planning::branch

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+//
+// A search of one branch: all launches along one route that meet one aim point, where arrival speed or spin is free.
+//   corrected      the point of the branch nearest to a launch: Newton's method of least change, inside bounds
+//   curve_through  continuation where one thing is free: steps along the curve, both ways, to where the arrival speed
+//                  or the spin ends. The replay judges the steps afterwards, since only parts of a curve may be shots
+//   climb          where more is free, a compass search over the tangent space to a best shot by `prefer`
+//   beside         launches beside a curve, where another ball may drop and no point of the curve is made: those that
+//                  fall by the jaws; where every shot is wanted, first those that fall straight, also between points
+// A best shot lies inside, at a bound, or where a cushion's end or a pocket cuts the branch; there the edge is
+// bisected. Cost: three simulations a point; some 15 points a curve, 60 a surface. Guarantee: what is kept is verified;
+// that nothing better exists is measured (tests/stress), not proved. Source: the corrector is Gauss's and Newton's with
+// the least norm (Allgower & Georg, Introduction to Numerical Continuation Methods, SIAM 2003, eq. 3.2.2); the compass
+// search is that of Kolda, Lewis & Torczon, SIAM Review 45, 2003, algorithm 3.2, on the tangent space.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bankshot/geometry/aim_point.hpp"
+#include "planners/search_result.hpp"
+#include "planners/solve/point.hpp"
+#include "planners/solve/settings.hpp"
+#include "planners/trace/clearance.hpp"
+#include "planners/verify/certify.hpp"
+
+namespace bankshot::planning::branch {
+
+/// What a launch may be.
+struct Box {
+  Vector low, high;
+  bool free(int i) const { return low[i] < high[i]; }
+};
+
+/// The question's bounds; a spin that is fixed is where the question has it.
+Box box_of(const SearchRequest& request);
+
+class BranchSearch {
+ public:
+  BranchSearch(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Candidate& start);
+
+  /// A point, its proof, and what it is worth.
+  struct Tried {
+    Point at;
+    double merit = 0;
+    std::optional<Proof> proof{};
+    std::optional<Room> room{};  ///< of its locked path, where that was asked for
+    bool between = false;        ///< two points of the first walk
+    bool looked = false;         ///< beside it
+    double spare = -forever;     ///< m, the most room that was seen there; where all lacks, that first order expects
+    bool made() const { return proof && proof->holds(); }
+    /// Any shot is above what is none.
+    bool above(const Tried& o) const { return made() != o.made() ? made() : merit > o.merit; }
+  };
+  /// Where at most one thing is free: keeps the best shot of each connected part (where one shot is wanted, of the best
+  /// one).
+  void search();
+
+  /// Where more is free: the point of the branch nearest to the start, and the way up from there to a shot that is
+  /// kept.
+  std::optional<Tried> foot();
+  void climb_from(const Tried& from);
+
+  /// Along the branch from a shot to where its success is largest, found by simulation: the last touch, for
+  /// the few shots that are printed.
+  Shot tuned(const Shot& shot);
+
+  /// How many things are free.
+  static int freedom(const SearchRequest& request);
+
+ private:
+  using Curve = std::vector<Tried>;
+  /// Two that say where it passes at most, and one of its speed.
+  struct Equations {
+    std::array<Value, 3> each{};
+    std::size_t count = 0;
+    void add(const Value& v) { each[count++] = v; }
+    std::span<const Value> all() const { return std::span(each).first(count); }
+  };
+
+  /// What must be 0; `at_bound` once the arrival speed was at an end of its range, and then stays there.
+  Equations equations(const Point& p, bool& at_bound) const;
+  /// `held`: a coordinate that stays as it is. `tolerance`, in scales: of the last step, after which what is left is
+  /// about its square.
+  std::optional<Point> corrected(Vector x, const Box& box, int held = -1, double tolerance = settings::settled);
+  /// An orthonormal basis, in scales, of the changes that stay on the branch.
+  Eigen::MatrixXd tangents(const Point& p) const;
+  double merit(const Point& p) const;
+  bool inside(const Point& p) const;
+  bool at_end(const Point& p) const;
+  /// So far from a shot that no other of its curve is one.
+  bool is_hopeless(const Point& p);
+  /// Outside the bounds on the launch speed, and farther out this way.
+  bool leaves_for_good(const Point& at, const Vector& way) const;
+  Tried attempt(const Point& p);
+  Tried attempt_where_clear(const Point& p);
+
+  Curve curve_through(const Point& from);
+  void extend(const Point& from, double way, Curve& out);
+  void add_crossings(Curve& curve);
+  void look_between(Curve& curve);
+  void divide(Curve& curve, const std::function<bool(const Tried&)>& is_hopeful);
+  void keep_parts(Curve& curve);
+  bool is_listed(const AimPoint& aim_point, std::span<const Meeting> route, std::span<const Shot> among) const;
+  bool keep_beside(const Launch& launch);
+  /// Another ball does, which jaws may let in where its exact line is blocked.
+  bool drops() const { return request_.problem->objects && start_.aim_point.drops(); }
+  static Launch beside(const Launch& line, double turn);
+  /// Neighbouring aims beside a point of a curve: so many steps.
+  struct Strip {
+    Launch line;
+    LaunchSpin spin;
+    double step;
+    int first = 0, last = 0;
+    Launch middle() const { return beside(line, step * (first + last) / 2); }
+  };
+
+  bool look_beside(Curve& curve);
+  bool look_beside(Tried& t);
+  bool look_to_one_side(Tried& t, double way);
+  void look_for_jaw_shots(const Curve& curve);
+  void add_strips(const Point& p, std::map<std::vector<Contact>, std::vector<Strip>>& ways);
+  Tried edge(const Tried& inside, const Tried& outside);
+  Tried peak(const Tried& low, const Tried& best, const Tried& high);
+  Vector near_start() const;
+  Tried clear(Tried t);
+  Tried climb(Tried from);
+
+  std::vector<Vector> ways(const Tried& from, double turned) const;
+
+  void keep(const Tried& t);
+
+  SearchRequest request_;  ///< a copy, whose spin is that of the launch looked at
+  EvaluationBudget& budget_;
+  SearchResult& found_;
+  const Candidate& start_;
+  Branch aim_;
+  Box box_, wide_;
+  Vary vary_;
+  Vector scale_;
+};
+
+/// The last touch: the shots that are printed, all or the first, along their branches to where success is largest.
+void tune(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
+
+}  // namespace bankshot::planning::branch
