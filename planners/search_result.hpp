@@ -16,7 +16,7 @@
 
 namespace bankshot::planning {
 
-/// How a shot was found, in answers.
+/// Words by which an answer says how a shot was found.
 namespace word {
 inline constexpr std::string_view unfold = "unfold", partition = "partition", continuation = "continuation",
                                   relaxed = "relaxed", global = "global";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Shots that are one: by the same route, and all launches between them are made as well.
+// Shots that are one: they have the same route, and all launches between them are made as well.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace bankshot::planning {
 
-/// Keeps of each such group the first. A few simulations for each two by one route.
+/// Keeps the first shot of each such group. Cost: a few simulations for each two shots by one route.
 void keep_connected_once(const SearchRequest& request, EvaluationBudget& budget, std::vector<Shot>& shots);
 
 }  // namespace bankshot::planning

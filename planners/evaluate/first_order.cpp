@@ -23,8 +23,8 @@ namespace {
 
 using Number = bankshot::Dual<2>;
 
-/// The offsets at which a ball in direction u passes a point, or enters a pocket; `near` is one of them [m]. A point is
-/// passed where part of its disc is inside the table.
+/// Returns the offsets between which a ball in direction u passes a point, or enters a pocket; `near` is one of them
+/// [m]. A point is passed where part of its disc is inside the table.
 Gap<Number> sides(const Boundary& boundary, const AimPoint& aim_point, const Vec2<Number>& u, double near) {
   if (aim_point.captures()) return aim_point.gap(u, near);
   Range out{-aim_point.reach, aim_point.reach};
@@ -41,7 +41,7 @@ Gap<Number> sides(const Boundary& boundary, const AimPoint& aim_point, const Vec
   return {Number(out.low), Number(out.high)};
 }
 
-/// One locked path with derivatives, and what limits it.
+/// One locked path with derivatives, and the limits that it sets.
 class Path {
  public:
   Path(const Branch& aim, const Launch& launch, const Noise& unit)
@@ -49,8 +49,8 @@ class Path {
 
   const Limits& limits() const { return limits_; }
 
-  /// Follows the branch up to where the ball is abreast of `at`, or enters the circle around it; false where a leg does
-  /// not lead to its meeting.
+  /// Follows the branch up to where the ball is abreast of `at`, or enters the circle around it. Returns false where a
+  /// leg does not lead to its meeting.
   template <class Motion, class Cushion>
   bool run(const Motion& motion, const Cushion& cushion, const Vec2d& at, double capture, Work& work) {
     const auto arrival =
@@ -68,10 +68,11 @@ class Path {
   }
   void met(std::size_t leg, const State<Number>& after) { bounce(aim_.route[leg], after.at); }
 
-  /// m: how far it passes from where it was to arrive.
+  /// Returns how far the path passes from where it was to arrive [m].
   double beside() const { return arrives_ ? beside_ : std::numeric_limits<double>::infinity(); }
 
-  /// The margin and the success estimate too; `moved`: instead of what the locked path says.
+  /// Returns the results, with the margin and the success estimate. `moved`: derivatives to use instead of the locked
+  /// path's.
   FirstOrder first_order(const std::optional<Moved>& moved = {}) const {
     FirstOrder out = out_;
     if (!arrives_) return out;
@@ -88,13 +89,13 @@ class Path {
  private:
   const Boundary& boundary_of_arrival() const { return request_.problem->boundary_of(aim_.aim_point.ball); }
 
-  /// Limits the launch by all that the ball must keep from on an arc of a leg.
+  /// Limits the launch by all obstacles from which the ball must keep on an arc of a leg.
   void keeps_clear(std::size_t leg, const Arc<Number>& arc, const Number& t) {
     if (!(t > 0)) return;
     const Boundary& boundary = request_.problem->boundary_of(aim_.ball(leg));
     const auto keeps_from = [&](const Circle& c) {
       const Vec2d start = value(arc.at) - c.centre;
-      if (norm(start) < c.radius) return;  // such a ball must first come out
+      if (norm(start) < c.radius) return;  // a ball that starts inside must first come out
       const double nearest = detail::closest_time(value(arc), t.a, c.centre);
       const Vec2<Number> there = arc.position(nearest < t.a ? Number(nearest) : t);
       limits_.keep(norm(there - to<Number>(c.centre)) - c.radius);
@@ -102,7 +103,7 @@ class Path {
     each_in_the_way(boundary, aim_.before(leg), aim_.next(leg), aim_.aim_point.taken_by, keeps_from);
   }
 
-  /// The ball that is met must be touched: on an arc that ends there, between its two sides.
+  /// Limits the launch to touch the ball that is met: on an arc that ends there, the path passes between its two sides.
   void touches(const Arc<Number>& arc, const Number& t, const Meeting& meeting) {
     const Boundary& boundary = request_.problem->boundary_of(meeting.ball);
     const Circle& rim = *boundary.rim(meeting.with);
@@ -113,7 +114,8 @@ class Path {
     limits_.keep(Number(rim.radius) + offset);
   }
 
-  /// Beyond the end of a cushion another is met: at a right angle first, and then this one.
+  /// Limits a bounce to its cushion, beyond whose end the ball meets another. At a right angle it then meets this one
+  /// too, so on a rectangle without a given route there is no limit.
   void bounce(const Meeting& meeting, const Vec2<Number>& at) {
     const Wall* const line = request_.problem->boundary_of(meeting.ball).line(meeting.with);
     if (!line || (meeting.ball == 0 && !request_.route && request_.puzzle().table.is_rectangle())) return;
@@ -129,8 +131,8 @@ class Path {
     moves(a.state.at);
   }
 
-  /// The squared speed of a ball that rolls as far as this one goes from here [m²/s²]: what slides loses speed at a
-  /// rate that ends where it rolls.
+  /// Returns the squared speed of a ball that rolls as far as this one goes from here [m²/s²]. A sliding ball loses
+  /// speed at a rate that ends where it rolls.
   template <class Motion>
   Number rolling_square(const Motion& motion, const State<Number>& state) const {
     const Number square = dot(state.velocity, state.velocity);
@@ -143,12 +145,12 @@ class Path {
       const State<Number> rolls = advance(motion, body, state, arc, arc.duration);
       const Vec2<Number> u = state.velocity / sqrt(square);
       const Number on = dot(u, rolls.velocity);
-      if (!(on > Number(0))) return square;  // it is drawn back
+      if (!(on > Number(0))) return square;  // the ball is drawn back
       return on * on + Number(2 * deceleration(request_.puzzle().physics)) * dot(u, rolls.at - state.at);
     }
   }
 
-  /// `square`: rolling_square of the arrival.
+  /// Adds the limits of a ball that passes its aim point. `square`: rolling_square of the arrival.
   void passes(const LockedArrival<Number>& a, const Vec2d& at, const Number& square) {
     // Along the line of travel nothing is missed: only the lateral part counts.
     const Vec2<Number> u = a.heading / norm(a.heading);
@@ -167,7 +169,8 @@ class Path {
     half_ = (room.high - room.low).a / 2;
   }
 
-  /// The squared speed of arrival grows with that of the launch: no slower launch than where it is 0 gets there.
+  /// Limits the launch to speeds that get there. The squared speed of arrival grows with that of the launch, and is 0
+  /// at the least such speed.
   void fast_enough(const Number& speed2) {
     const double gain = speed2.v[1] / 2, least = gain > 0 ? std::max(1 - speed2.a / gain, 0.0) : 0;
     const double room = launch_.speed * (1 - std::sqrt(least));
@@ -187,20 +190,20 @@ class Path {
   Limits limits_;
   FirstOrder out_{};
   bool arrives_ = false;
-  Vec2d slope_{};    ///< of the lateral miss, in deviations
-  double half_ = 0;  ///< m, of the target's width
+  Vec2d slope_{};    ///< slope of the lateral miss, in deviations
+  double half_ = 0;  ///< m; half of the target's width
   double beside_ = 0;
 };
 
 Path path_to(const Branch& aim, const Launch& launch, const Vec2d& at, Work& work) {
   Path path(aim, launch, aim.request.puzzle().noise);
-  // A replay may have met what rounding lets the locked path miss: the derivatives are the best there are.
+  // Rounding may let the locked path miss what the replay met; its derivatives are still the best there are.
   with_physics(aim.request.puzzle().physics,
                [&](const auto& motion, const auto& cushion) { return path.run(motion, cushion, at, 0, work); });
   return path;
 }
 
-/// m that residual k moves by one deviation of aim and of speed.
+/// Returns how far residual k moves by one deviation of aim, and by one of speed [m].
 Vec2d by_deviation(const SearchRequest& request, const Launch& launch, const Linear& l, std::size_t k) {
   const double per_rad = request.puzzle().noise.angle * request.problem->boundary.diagonal;
   const double per_log = request.one_unknown() ? 0
@@ -255,7 +258,7 @@ void add_first_order(const SearchRequest& request, Shot& shot, Work& work) {
   const Route route = route_with_jaws_of(shot);
   const Branch aim{request, route, request.problem->aim_point_of(shot)};
   const Path path = path_to(aim, shot.launch, shot.path.arrival.at, work);
-  // One that a cushion holds may arrive before the locked path, which goes through that cushion, has left the line.
+  // A ball that a cushion holds may arrive before the locked path, which goes through that cushion, has left the line.
   const auto held = [&] {
     return !request.problem->centred(path.beside()) ||
            (!aim.aim_point.captures() && request.problem->on_a_line(aim.aim_point.ball, shot.path.arrival.at));

@@ -33,7 +33,7 @@ double Limits::until_all_hold(const Vec2d& towards) const {
     if (const double gain = dot(side.slope, towards); side.room < 0 && gain > 0)
       most = std::max(most, -side.room / gain);
   if (!(reach_ > 0)) return most;
-  // The near end of the way through the disc, or its nearest point where it is passed by.
+  // The near end of the line through the disc, or the nearest point of a line that misses the disc.
   const Vec2d move = by_aim_ * towards.x + by_push_ * towards.y;
   const double a = dot(move, move), b = -dot(move, from_aim_point_),
                c = dot(from_aim_point_, from_aim_point_) - reach_ * reach_;
@@ -74,7 +74,7 @@ double Limits::success() const {
       direction(std::atan2(2 * dot(by_aim_, by_push_), dot(by_aim_, by_aim_) - dot(by_push_, by_push_)) / 2);
   const double most = norm(by_aim_ * across.x + by_push_ * across.y),
                least = norm(by_push_ * across.x - by_aim_ * across.y);
-  // A part that ends within a deviation both ways is stretched to a circle.
+  // A region that ends within a deviation both ways is stretched to a circle.
   return success(across, std::max(least, reach_) / most);
 }
 

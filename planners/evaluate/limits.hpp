@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The probability that normal errors of aim and speed break nothing, where every limit is known to first order.
-// Errors are counted in the player's deviations; their plane is (aim, speed), and what is made is the part of it inside
-// straight lines and, for a ball that must rest, an ellipse. With rho(t) the distance to its edge in direction t,
+// The probability that normal errors of aim and speed break no limit, where every limit is known to first order. Errors
+// are counted in the player's deviations; their plane is (aim, speed). The shot is made in a region of this plane:
+// inside straight lines and, for a ball that must rest, an ellipse. With rho(t) the distance to its edge in direction
+// t,
 //   success = 1/2π ∫ (1 − exp(−rho²/2)) dt
-// The directions are stretched with the part, so that a thin band is seen by as many of them as a wide one.
+// The directions are stretched with the region, so that a thin one is seen by as many of them as a wide one.
 // Cost: no simulation; half a microsecond.
 #pragma once
 
@@ -17,29 +18,30 @@ namespace bankshot::planning {
 
 class Limits {
  public:
-  /// Of a launch and its player.
+  /// Starts without limits, for a launch and its player.
   Limits(const Launch& launch, const Noise& noise)
       : per_rad_(noise.angle), per_log_(noise.speed_at(launch.speed) / launch.speed) {}
 
-  /// Made while `room` stays above 0. Its derivatives: by aim [rad] and by ln speed.
+  /// Adds a limit: the shot is made while `room` stays above 0. Its derivatives are by aim [rad] and by ln speed.
   void keep(const Dual<2>& room) { add(room.a, in_deviations(room)); }
-  /// The same of a slope that is counted in deviations.
+  /// Adds a limit whose slope is counted in deviations.
   void add(double room, const Vec2d& slope);
-  /// Made while the ball rests within `reach` of the aim point.
+  /// Adds a limit: the shot is made while the ball rests within `reach` of the aim point.
   void rest(const Vec2<Dual<2>>& from_aim_point, double reach);
-  /// Derivatives by aim and ln speed, in deviations.
+  /// Returns derivatives by aim and ln speed, in deviations.
   Vec2d in_deviations(const Dual<2>& d) const { return {d.v[0] * per_rad_, d.v[1] * per_log_}; }
 
-  /// Whether it is made where the limits were seen.
+  /// Returns whether all limits hold at the launch itself.
   bool hold() const;
-  /// How far in this direction until the first limit breaks, and, where some are broken, until the last of them is
-  /// kept again; in units of `towards`.
+  /// Returns a distance in this direction, in units of `towards`: until the first limit breaks, or, where some are
+  /// broken, until the last of them holds again.
   double until(const Vec2d& towards) const;
   double until_all_hold(const Vec2d& towards) const;
 
-  /// `across`: the direction in which least breaks it, and half the way from edge to edge there, in deviations.
+  /// Returns the success. `across`: the direction in which the least error breaks a limit. `half`: half the width of
+  /// the region there, in deviations.
   double success(const Vec2d& across, double half) const;
-  /// The same, seen from the ellipse of `rest`.
+  /// Returns the success, with directions along the axes of the ellipse of `rest`.
   double success() const;
 
  private:

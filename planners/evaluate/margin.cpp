@@ -19,13 +19,13 @@ using namespace settings::margin;
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// One number of a launch that moves one way, by steps in rad or m/s.
+/// Moves a launch one way, by steps in rad or m/s.
 class Way {
  public:
   Way(const Branch& aim, EvaluationBudget& budget, const Shot& shot, const Vec2d& towards)
       : aim_(aim), budget_(budget), shot_(shot), goal_(Goal::counted_along(shot)), towards_(towards) {}
 
-  /// The largest step, up to `limit`, such that the shot is made all the way; none when nothing breaks it.
+  /// Returns the largest step, up to `limit`, such that the shot is made all the way; none when nothing breaks it.
   std::optional<double> how_far(double scale, double limit) {
     do {
       bad_ = never;
@@ -47,11 +47,11 @@ class Way {
     return l.speed > 0 && replay(aim_.request, budget_, {l.speed, wrap_angle(l.angle)}, goal_).made;
   }
 
-  /// What the derivatives say at one step.
+  /// The limits that the derivatives predict from one step.
   struct Look {
     double at;
     bool holds = false;
-    double object_ball_path = never, back = 0;  ///< to where the first limit breaks; to where all hold again
+    double object_ball_path = never, back = 0;  ///< to where the first limit breaks, and back to where all hold again
     double dip = never;                         ///< back to where a limit would break that holds here
   };
   Look look(double by) {
@@ -68,7 +68,7 @@ class Way {
     return out;
   }
 
-  /// Outwards, to where the next limit should break, but no farther than doubles the way.
+  /// Steps outwards, to where the next limit should break, but at most doubles the distance each time.
   void walk(double scale, double limit) {
     last_ = look(good_);
     while (good_ < limit) {
@@ -84,7 +84,8 @@ class Way {
     }
   }
 
-  /// Where only launches break it that no aim tells apart, rounding decides: they are no end.
+  /// Goes on beyond the end if only launches break it that no aim tells apart: rounding decides those. Returns whether
+  /// it did.
   bool passes_over() {
     const double beyond = bad_ * (1 + 4 * tolerance::margin) + 2 * tolerance::same_aim;
     if (passed_ == most_passed || !made(beyond)) return false;
@@ -93,7 +94,7 @@ class Way {
     return true;
   }
 
-  /// Newton's method between a step that is made and one that is not.
+  /// Closes in on the end by Newton's method, between a step that is made and one that is not.
   void close_in() {
     for (int i = 0; i < settings::most_steps && bad_ - good_ > tolerance::margin * bad_; ++i) {
       double next = last_.holds ? last_.at + last_.object_ball_path : last_.at - last_.back;
@@ -110,13 +111,14 @@ class Way {
     }
   }
 
-  /// Replays on both sides; where they disagree with the derivatives, steps that grow and bisection.
+  /// Verifies the end by replays on both sides. If they disagree with the derivatives, it uses steps that grow, and
+  /// bisection.
   void prove(double limit) {
     if (!made(good_)) {
       bad_ = good_;
       good_ = 0;
     }
-    // Balls that jaws turn in and out lie in bands.
+    // Launches that jaws turn in and out lie in narrow intervals.
     double longest = aim_.request.problem->boundary.jaws.empty()
                          ? never
                          : std::max(bad_ * rattling_step, limit * least_rattling_step);
@@ -138,11 +140,11 @@ class Way {
         [&](double by) { return made(by); });
   }
 
-  /// Steps between 0 and the end, and the dips between them: where one is not made, the end is before it.
+  /// Tries steps between 0 and the end, and the dips between them. If one is not made, the end is before it.
   void look_inside() {
     const double end = good_;
     Look before = look(0);
-    // Where the first look saw the end, the limits are nearly straight.
+    // If the first look saw the end, the limits are nearly straight.
     const int parts = aim_.request.problem->whole                              ? parts_of_chains
                       : std::abs(before.object_ball_path - end) < nearly * end ? few_parts
                                                                                : many_parts;
@@ -159,14 +161,14 @@ class Way {
     }
   }
 
-  /// Where a limit breaks between two steps at which it holds: Newton's method from both sides, as long as a tangent
-  /// crosses 0 between them, and the two not above it.
+  /// Returns a step at which a limit breaks, between two at which it holds; none if there is none. Newton's method
+  /// comes from both sides, as long as a tangent crosses 0 between them and the two do not meet above 0.
   std::optional<double> look_between(Look a, Look b) {
     for (int i = 0; i < settings::most_steps && a.holds && b.holds; ++i) {
       const double gap = b.at - a.at, up = a.at + a.object_ball_path, down = b.at - b.dip;
       const bool rises = up<b.at - nearly * gap, falls = down> a.at + nearly * gap;
       if (gap < tolerance::margin * b.at || !(rises || falls) || (rises && falls && up >= down)) break;
-      // A little beyond, for the method stops before a root that it nears from inside.
+      // The step lies a little beyond, for the method stops before a root that it nears from inside.
       if (rises && !made(up + nearly * nearly * gap)) return up + nearly * nearly * gap;
       if (falls && !made(down)) return down;
       if (rises) a = look(up);

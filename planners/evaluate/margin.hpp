@@ -7,8 +7,8 @@
 
 namespace bankshot::planning {
 
-/// `margin`: the first launch, on either side, that is not made by the same cushions; found by
-/// growing steps and bisection to tolerance::margin. About 150 simulations.
+/// Finds `margin`: the first launch, on either side, that is not made by the same cushions. It uses growing steps and
+/// bisection to tolerance::margin. Cost: about 150 simulations.
 void find_margin(const SearchRequest& request, EvaluationBudget& budget, Shot& shot);
 
 }  // namespace bankshot::planning

@@ -8,7 +8,7 @@
 namespace bankshot::planning {
 namespace {
 
-/// Of the monotone cubic, at the lines.
+/// Returns the slopes of the monotone cubic at the scanlines.
 std::vector<double> slopes(std::span<const NoiseScanline> lines) {
   const std::size_t n = lines.size();
   std::vector<double> steps(n - 1), slope(n);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Lines of errors, all of one size along the band of what is made: where being made begins and ends on each, and the
-// success of all of them together. Errors are counted in deviations of the player.
+// Noise scanlines: lines of launches through the noise distribution. Each scanline has one error `along` the made
+// strip, and all errors `across` it. It knows where the made intervals begin and end; all together they give the
+// success. Errors are counted in deviations of the player.
 #pragma once
 
 #include <span>
@@ -9,7 +10,7 @@
 
 namespace bankshot::planning {
 
-/// Of a normal error.
+/// Returns the probability that a normal error is below so many deviations.
 double normal_below(double deviations);
 
 struct NoiseScanline {
@@ -19,19 +20,19 @@ struct NoiseScanline {
   };
   double along;
   std::vector<Try> tries{};     ///< in order of `across`
-  std::vector<double> edges{};  ///< where being made begins or ends, in order
+  std::vector<double> edges{};  ///< ends of the made intervals, in order
   bool open = false;            ///< made before the first edge
-  double success = 0;           ///< of all errors on this line
+  double success = 0;           ///< success of all errors on this scanline
 
   bool made(double across) const;
-  /// The number of neighbouring tries that differ.
+  /// Returns the number of neighbouring tries that differ.
   int changes() const;
-  /// Edges and success from the tries; an edge expected inside its bracket is taken to lie there.
+  /// Computes edges and success from the tries. An edge expected inside its bracket is taken to lie there.
   void read_off(const std::vector<double>& expected);
 };
 
-/// The success of all errors. Between lines, in order of `along`, it is a monotone cubic (Fritsch & Butland 1984),
-/// summed with the normal density by Gauss's rule; beyond them it is that of the last.
+/// Returns the success of all errors. Between scanlines, in order of `along`, it is a monotone cubic (Fritsch & Butland
+/// 1984), summed with the normal density by Gauss's rule. Beyond them it is that of the last.
 double success_of(std::span<const NoiseScanline> lines);
 
 }  // namespace bankshot::planning

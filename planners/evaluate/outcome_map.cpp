@@ -20,22 +20,22 @@ using namespace settings::outcome_map;
 
 namespace {
 
-/// Places of the lattice of speeds in a coarse step, so that it can be halved so often.
+/// Rungs of the lattice of speeds in a coarse step, so many that it can be halved that often.
 constexpr int rungs = 1 << most_halvings;
-/// rad: the origin of aims is a multiple of this, a part of a half turn by a power of two.
+/// Step of the origin of aims [rad]: a half turn divided by a power of two.
 constexpr double origin_step = std::numbers::pi / 64;
 
-/// The largest step that divides a half turn by a power of two and is at most `most` [rad].
+/// Returns the largest step that divides a half turn by a power of two and is at most `most` [rad].
 double lattice_step(double most) {
   return std::ldexp(std::numbers::pi, -static_cast<int>(std::ceil(std::log2(std::numbers::pi / most))));
 }
 
-/// Launch speed of a rung [m/s]: `rungs` of them make one coarse step.
+/// Returns the launch speed of a rung [m/s]: `rungs` of them make one coarse step.
 double speed_of(int rung) { return std::pow(coarse, static_cast<double>(rung) / rungs); }
 
 double rungs_of(double speed) { return std::log(speed) / std::log(coarse) * rungs; }
 
-/// The last of every `stride` rungs that is no faster.
+/// Returns the last of every `stride` rungs that is no faster.
 int rung_below(double speed, int stride) { return static_cast<int>(std::floor(rungs_of(speed) / stride)) * stride; }
 
 }  // namespace
@@ -52,7 +52,7 @@ OutcomeMap::OutcomeMap(const SearchRequest& request, EvaluationBudget& budget, c
   double low = -angle_, high = angle_;
   if (const double by_aim = norm(shot.verification.by_angle); by_aim > 0) {
     const Gap<double> room = room_beside(request, shot, shot.verification.by_angle / by_aim);
-    // Where the aim moves nothing to speak of, no more aims than the player's errors reach.
+    // If the aim hardly moves the arrival, no more aims are tried than the player's errors reach.
     const double widest = std::min(far * angle_, radians(180));
     low = std::clamp(room.low / by_aim, -widest, widest), high = std::clamp(room.high / by_aim, -widest, widest);
   }
@@ -66,7 +66,7 @@ double OutcomeMap::deviation(double speed) const {
   return std::max(request_.puzzle().noise.speed_at(speed), least_deviation * speed);
 }
 
-/// Whether a launch of a row is made; the row keeps what it meets.
+/// Returns whether a launch is made. The row of its speed keeps what it meets.
 bool OutcomeMap::is_made(double aim, Row& row) {
   if (!(row.speed > 0) || budget_.spent()) return false;
   std::vector<Contact> cushions;
@@ -123,7 +123,7 @@ OutcomeMap::Row OutcomeMap::row_at(double speed, const Band& expected) {
   return row;
 }
 
-/// Where the rows around a speed have their widest bands.
+/// Returns the made aims to expect at a speed: the widest intervals of the speeds around it, interpolated.
 OutcomeMap::Band OutcomeMap::expected_at(double speed) const {
   if (std::ranges::none_of(rows_, &Row::made)) return first_;  // the cue ball may fall at the speed of the shot alone
   const auto after = std::ranges::find_if(rows_, [&](const Row& r) { return r.made() && r.speed > speed; });
@@ -136,7 +136,7 @@ OutcomeMap::Band OutcomeMap::expected_at(double speed) const {
     return out.low < out.high ? out : a;
   };
   if (before != rows_.rend() && after != rows_.end()) return beyond(*before, *after);
-  // Rows that are nearer to each other than to the speed say nothing of how the band moves.
+  // Speeds that are nearer to each other than to this one do not tell how the interval moves.
   const auto extended = [&](const Row& near, auto from, auto end) {
     const auto tells = [&](const Row& r) {
       return r.made() && std::abs(r.speed - near.speed) >= std::abs(speed - near.speed) / 2;
@@ -148,7 +148,7 @@ OutcomeMap::Band OutcomeMap::expected_at(double speed) const {
   return extended(*after, after + 1, rows_.end());
 }
 
-/// False where the row is there, or there are rows enough.
+/// Adds the row of a speed. Returns false if it is there, or there are rows enough.
 bool OutcomeMap::add(Rung rung) {
   const double speed = speed_of(rung);
   const auto at = std::ranges::lower_bound(rows_, speed, {}, &Row::speed);
@@ -158,8 +158,8 @@ bool OutcomeMap::add(Rung rung) {
   return true;
 }
 
-/// Lays rows in coarse steps from the shot outwards, as far as some aim is made, at most to the first beyond the
-/// allowed speeds: a player's errors reach there.
+/// Looks at speeds in coarse steps from the shot outwards, as far as some aim is made. It goes at most one step beyond
+/// the allowed speeds, since a player's errors reach there.
 void OutcomeMap::look_along() {
   const Rung below = rung_below(shot_.launch.speed, rungs);
   for (const int way : {-1, 1}) {
@@ -173,7 +173,7 @@ void OutcomeMap::look_along() {
   }
 }
 
-/// Lays rows around a speed, as near to each other as the player's errors of speed see; false where none is new.
+/// Adds speeds around one, as near to each other as the player's errors of speed need; returns false if none is new.
 bool OutcomeMap::refine(double speed) {
   const double step = std::log(coarse) * speed / (apart * deviation(speed));  // coarse steps are so many times too wide
   const Rung stride = rungs >> std::clamp(static_cast<int>(std::ceil(std::log2(step))), 0, most_halvings);
@@ -191,7 +191,8 @@ double OutcomeMap::success_at(double aim, const Row& row) const {
   return sum;
 }
 
-/// Between rows it changes evenly with the speed, which the normal errors of speed weigh; beyond them nothing is made.
+/// Returns the success of a launch. It changes evenly between two speeds, which the normal errors of speed weigh;
+/// beyond the last speeds nothing is made.
 double OutcomeMap::success(double aim, double speed) const {
   if (rows_.size() == 1) return success_at(aim, rows_.front());
   const auto density = [](double z) { return std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi); };
@@ -207,8 +208,8 @@ double OutcomeMap::success(double aim, double speed) const {
   return sum;
 }
 
-/// Lays a row between two around a launch whose success differs by much, as where the ball begins to arrive; false
-/// where there are none.
+/// Adds a speed between two around a launch whose success differs by much, as where the ball begins to arrive. Returns
+/// false if there are none.
 bool OutcomeMap::refine_changes(const Launch& best) {
   const double aim = angle_difference(origin_, best.angle), by = deviation(best.speed);
   for (std::size_t i = 0; i + 1 < rows_.size(); ++i) {
@@ -222,8 +223,8 @@ bool OutcomeMap::refine_changes(const Launch& best) {
   return false;
 }
 
-/// `row`: the one whose launches meet and arrive as this one does. Its value is below any if that is not as
-/// asked.
+/// Returns a launch with its value. `row`: the speed whose launches meet and arrive as this one does. If that is not as
+/// asked, the value is below any.
 OutcomeMap::Best OutcomeMap::at(double aim, double speed, const Row& row) const {
   if (row.seen.empty()) return {launch(aim, speed), -infinite};
   const Seen& like = *std::ranges::min_element(row.seen, {}, [&](const Seen& s) { return std::abs(s.aim - aim); });
@@ -234,7 +235,7 @@ OutcomeMap::Best OutcomeMap::at(double aim, double speed, const Row& row) const 
 
 namespace {
 
-/// Golden sections for the largest value of f; where values are alike all is as good, and the middle is taken.
+/// Returns where f is largest, by golden sections; where its values are alike, the middle.
 template <class F>
 double largest(double low, double high, double enough, const F& f) {
   constexpr double golden = 0.6180339887498949;
@@ -254,7 +255,7 @@ double largest(double low, double high, double enough, const F& f) {
 
 }  // namespace
 
-/// The best aim between the middles of the rows around, inside the bounds of the aim.
+/// Returns the best aim inside its bounds, between the middles of the intervals at the speeds around.
 double OutcomeMap::safest_aim(double speed) const {
   const double near = 2 * deviation(speed);
   double low = infinite, high = -low;
@@ -271,8 +272,8 @@ double OutcomeMap::safest_aim(double speed) const {
   return best + (std::abs(to_low) < std::abs(to_high) ? to_low : to_high);
 }
 
-/// The best launch of a speed: the likeliest, or that nearest to it among those that meet the least. If the likeliest
-/// is not as asked, the likeliest of those that were tried and are.
+/// Returns the best launch of a speed: the likeliest, or the one nearest to it among those that meet the least. If the
+/// likeliest is not as asked, it is the best of those that were tried and are.
 OutcomeMap::Best OutcomeMap::best_at(double speed) const {
   const auto distance = [&](const Row& r) { return r.made() ? std::abs(r.speed - speed) : infinite; };
   const Row& row = *std::ranges::min_element(rows_, {}, distance);
@@ -299,7 +300,7 @@ std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() const {
     if (one_speed_ && row.speed != shot_.launch.speed) continue;
     if (const Best there = best_at(speed); there.value > -infinite) best.push_back(there);
   }
-  // Of launches that are alike the slowest, whatever their last digits.
+  // Among launches that are alike the slowest comes first, whatever their last digits.
   std::ranges::stable_sort(best, std::greater(), [](const Best& b) { return std::round(b.value / settings::alike); });
   return best;
 }
@@ -312,8 +313,8 @@ std::vector<OutcomeMap::Best> OutcomeMap::best(double worth) {
   // A narrow peak may stand where the shot is.
   refine(shot_.launch.speed);
   if (one_speed_) return best_so_far();
-  // The row of the shot itself led here; the lattice is the same for every shot of the band. An arrival is known on
-  // rows alone.
+  // The row of the shot's own speed is dropped, so that the lattice is the same for every shot nearby. It stays if the
+  // puzzle gives an arrival speed, which is known on rows alone.
   const auto is_own = [&](const Row& row) { return row.speed == shot_.launch.speed; };
   const auto leads_on = [&](const Row& row) { return row.made() && !is_own(row); };
   if (!request_.puzzle().arrive && std::ranges::any_of(rows_, leads_on)) std::erase_if(rows_, is_own);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Which launches around a shot make its target, labelled once, so that the value of any of them costs no simulation.
-// Method: the map tries aims at several launch speeds and bisects every change between them. The success of a launch is
-// the sum of the bands that are made, weighed by the player's normal errors. A first look at all allowed speeds is
-// coarse; the map is then refined around the best one. Speeds and aims lie on a lattice which the shot does not move,
-// so that all shots of one band lead to one map and to the same safest launch, and a mirrored shot to its mirror image.
-// The map sees no band between two aims, so what it says is an estimate. Cost: some twenty simulations for each of
-// twenty speeds.
+// The launches around a shot that make its target, found once, so that the value of any of them costs no simulation.
+// Method: the outcome map tries aims at several launch speeds and bisects every change between them. The success of a
+// launch is the sum over the intervals that are made, weighed by the player's normal errors. A first look at all
+// allowed speeds is coarse; the map is then refined around the best one. Speeds and aims lie on a lattice which the
+// shot does not move. So all shots of one region lead to one map and to the same safest launch, and a mirrored shot to
+// its mirror image. An interval between two aims is missed, so the result is an estimate. Cost: some twenty simulations
+// for each of twenty speeds.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,9 @@ class OutcomeMap {
   /// `request` has the spin of the shot, which must outlive this.
   OutcomeMap(const SearchRequest& request, EvaluationBudget& budget, const Shot& shot);
 
-  /// Launches inside the puzzle's bounds with their values: that of the largest value, and those of other speeds, best
-  /// first. None where nothing is made, or where the first look at all speeds leaves no hope of a value of `worth`.
+  /// Returns launches inside the puzzle's bounds with their values, best first: the one of the largest value, and those
+  /// of other speeds. None where nothing is made, or where the first look at all speeds leaves no hope of a value of
+  /// `worth`.
   struct Best {
     Launch launch;
     double value = 0;
@@ -33,7 +34,7 @@ class OutcomeMap {
   std::vector<Best> best(double worth);
 
  private:
-  /// Aims that are made, from one to another [rad beside `origin_`].
+  /// An interval of aims that are made [rad beside `origin_`].
   struct Band {
     double low, high;
     double width() const { return high - low; }
@@ -48,7 +49,7 @@ class OutcomeMap {
   /// The launches of one speed.
   struct Row {
     double speed;               ///< m/s
-    std::vector<Band> bands{};  ///< made, in order
+    std::vector<Band> bands{};  ///< intervals that are made, in order
     std::vector<Seen> seen{};   ///< in order
     bool made() const { return !bands.empty(); }
     const Band& widest() const { return *std::ranges::max_element(bands, {}, &Band::width); }
@@ -81,7 +82,7 @@ class OutcomeMap {
   double origin_;            ///< aim of the lattice that is nearest to the shot's [rad]
   double own_;               ///< the shot's aim, seen from there [rad]
   bool one_speed_;           ///< only the speed of the shot is allowed, or preferred
-  Band first_{};             ///< the band that the shot's derivatives expect
+  Band first_{};             ///< the interval that the shot's derivatives expect
   std::vector<Row> rows_{};  ///< slowest first
 };
 

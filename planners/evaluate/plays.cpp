@@ -10,21 +10,21 @@
 namespace bankshot::planning {
 namespace {
 
-/// A draw moves the ball, but not beyond where a centre can be; one that would drop it leaves it where it stands.
+/// Moves a ball, but not beyond where a centre can be. A move that would drop it leaves it where it stands.
 void move(const Table& table, Ball& ball, const Vec2d& by) {
   const Boundary boundary(table, ball.body);
   const Vec2d at = boundary.moved_inside(ball.at + by, 2 * ball.body.radius);
   if (!boundary.pocket_around(at)) ball.at = at;
 }
 
-/// The second moves away from the first.
+/// Moves the second ball away from the first, until they touch, if they overlap.
 void keep_apart(const Ball& first, Ball& second) {
   const Vec2d between = second.at - first.at;
   const double apart = norm(between), reach = touching_distance(first.body, second.body);
   if (apart < reach && apart > 0) second.at += between * ((reach - apart) / apart);
 }
 
-/// The balls where a draw puts them; `normal`: two numbers a ball.
+/// Moves the balls to where a draw puts them; `normal`: two numbers a ball.
 void move_balls(Puzzle& p, const double* normal) {
   const auto draw = [&](Ball& ball) {
     move(p.table, ball, Vec2d{normal[0], normal[1]} * p.noise.at);

@@ -20,24 +20,25 @@
 namespace bankshot::planning {
 namespace {
 
-/// Larger is better.
+/// Returns the merit of a shot; larger is better.
 double merit(const Puzzle& p, const Shot& shot) {
   return p.prefer == Prefer::robust && shot.robustness.value ? *shot.robustness.value : first_merit(p, shot);
 }
 
-/// Where values do not rank, nobody strikes a ball straight into the cushion it touches while there is another shot.
+/// Returns whether a shot comes last. If values do not rank, nobody strikes a ball straight into the cushion it touches
+/// while there is another shot.
 bool last_choice(const SearchRequest& request, const Shot& shot) {
   return (request.puzzle().prefer != Prefer::robust || !request.valued) && !shot.path.cushions.empty() &&
          !request.route && request.problem->into_touched_cushion(shot.launch.angle);
 }
 
-/// m from where the cue ball should rest.
+/// Returns the distance of the cue ball from where it should rest [m].
 double apart_from_leave(const Puzzle& p, const Shot& shot) {
   return shot.path.cue_rests ? norm(*shot.path.cue_rests - *p.rest_near) : infinite;
 }
 
-/// Of the shots that are as likely as the best, to what nobody notices, the one that leaves the cue ball best; then
-/// of the rest, and so on.
+/// Orders the shots that are about as likely as the best by how well they leave the cue ball. Then it orders the rest
+/// likewise, and so on.
 void order_by_leave(const Puzzle& p, std::span<Shot> shots) {
   for (auto rest = shots; !rest.empty();) {
     const double enough = rest.front().robustness.value.value_or(0) - settings::rank::as_likely;
@@ -64,9 +65,9 @@ void order(const SearchRequest& request, std::span<Shot> shots) {
   });
 }
 
-/// Where some shot is on the exact line or point, those beside it are no answer; nor those that count on a jaw shot
-/// where one does without. Where all shots with other balls are wanted, or shots leave the exact line by themselves,
-/// that is said of each route of theirs.
+/// Drops shots beside the exact line or point if some shot is on it. Drops jaw shots if some shot does without jaws. If
+/// all shots with object balls are wanted, or shots leave the exact line by themselves, this holds for each route by
+/// itself.
 void keep_centred(const SearchRequest& request, std::vector<Shot>& shots) {
   const auto erase_where_others = [&](const auto& is_worse) {
     std::set<std::pair<Route, Contact>> better;
@@ -83,7 +84,7 @@ void keep_centred(const SearchRequest& request, std::vector<Shot>& shots) {
   erase_where_others([](const Shot& shot) { return shot.path.touches_jaws; });
 }
 
-/// Between two launches, in deviations of the player.
+/// Returns the distance between two launches, in deviations of the player.
 double deviations_apart(const SearchRequest& request, const Launch& a, const Launch& b) {
   const auto count = [](double apart, double noise) { return apart == 0 ? 0 : std::abs(apart) / noise; };
   return std::hypot(
@@ -91,7 +92,8 @@ double deviations_apart(const SearchRequest& request, const Launch& a, const Lau
       is_ideal(request.puzzle().physics) ? 0 : count(a.speed - b.speed, request.puzzle().noise.speed_at(a.speed)));
 }
 
-/// A ball may pass the point on its way, after fewer cushions: that counts too. One simulation.
+/// Returns the success estimate of passing the point on the way, after fewer cushions, which counts too. Cost: one
+/// simulation.
 double estimate_on_the_way(const SearchRequest& request, EvaluationBudget& budget, const Shot& shot) {
   const std::size_t bounces = shot.path.cushions.size();
   if (request.problem->captures() || request.problem->objects || request.stop || request.route ||
@@ -106,11 +108,11 @@ double estimate_on_the_way(const SearchRequest& request, EvaluationBudget& budge
   return estimate;
 }
 
-/// What the success of a shot may be, as its success estimate and those of the shots beside it say. One simulation.
-/// `request` has the spin of the shot.
+/// Returns a bound on the success of a shot, from its success estimate and those of the shots beside it. `request` has
+/// the spin of the shot. Cost: one simulation.
 double shot_at_most(const SearchRequest& request, EvaluationBudget& budget, std::span<const Shot> shots,
                     const Shot& shot) {
-  // One that misses by the cushions of this shot may touch the second ball after more of them.
+  // A cue ball that misses by the cushions of this shot may touch the second ball after more of them.
   if (request.problem->carom() && !request.route &&
       static_cast<int>(shot.path.cushions.size()) < request.cushions().max)
     return 1;
@@ -119,8 +121,8 @@ double shot_at_most(const SearchRequest& request, EvaluationBudget& budget, std:
     if (&other != &shot && deviations_apart(request, shot.launch, other.launch) < settings::outcome_map::far)
       estimate += other.robustness.success_estimate;
   const AimPoint& aim_point = request.problem->aim_point_of(shot);
-  // A ball that a jaw or, where another bounce is allowed, a cushion beside the pocket turns away may fall all the
-  // same.
+  // A ball that a jaw turns away may fall all the same. So may one that a cushion beside the pocket turns away, where
+  // another bounce is allowed.
   const int bounces = static_cast<int>(shot.path.cushions.size());
   if (aim_point.captures() &&
       (!request.problem->boundary.jaws.empty() || (!request.route && bounces < request.cushions().max)))
@@ -132,7 +134,7 @@ double shot_at_most(const SearchRequest& request, EvaluationBudget& budget, std:
 
 double success_at_most(const SearchRequest& request, const AimPoint& aim_point, double estimate) {
   using namespace settings::rank;
-  // A ball passes a point twice whose disc reaches over a cushion's line.
+  // A ball passes a point twice if its disc reaches over a cushion's line.
   if (!aim_point.captures() && request.problem->boundary_of(aim_point.ball).clearance(aim_point.at) < aim_point.reach)
     return 1;
   return std::min(1.0, times * estimate + more);
@@ -166,7 +168,7 @@ void order_by_value(std::span<Shot> shots) {
 namespace {
 
 /// Returns the number of the shot with the largest value, if that exceeds `value`. Computes the values of shots that
-/// may have it. One that scratches counts where there is no other.
+/// may have it. A shot that scratches counts where there is no other.
 std::optional<std::size_t> best_above(const SearchRequest& request, EvaluationBudget& budget, std::span<Shot> shots,
                                       double value) {
   struct Candidate {
@@ -201,13 +203,13 @@ std::optional<std::size_t> best_above(const SearchRequest& request, EvaluationBu
 void best_first(const SearchRequest& request, EvaluationBudget& budget, std::vector<Shot>& shots) {
   const auto best = best_above(request, budget, shots, -infinite);
   std::swap(shots.front(), shots[best.value_or(0)]);
-  // Those behind it are tuned as well, or leave the cue ball better.
+  // The shots behind it are tuned as well, or leave the cue ball better.
   if (request.problem->carom() || request.puzzle().rest_near) order_by_value(shots);
 }
 
 namespace {
 
-/// The value of a shot to first order, moved to where that is largest.
+/// Returns the value of a shot to first order, moved to where that is largest.
 double likely_value(const SearchRequest& request, const Shot& shot, Work& work) {
   if (shot.path.scratch && !request.problem->safest()) return 0;
   const double estimate = request.problem->safest()
@@ -216,8 +218,8 @@ double likely_value(const SearchRequest& request, const Shot& shot, Work& work) 
   return estimate - cost_of(shot);
 }
 
-/// What the value of a shot may be once it is moved. `shots`: those that were found. `request` has the spin of the
-/// shot.
+/// Returns a bound on the value of a shot once it is moved. `shots`: those that were found. `request` has the spin of
+/// the shot.
 double movable_to(const SearchRequest& request, EvaluationBudget& budget, std::span<const Shot> shots, const Shot& shot,
                   double likely) {
   const double contacts = cost_of(shot) - cost_of(shot.launch, shot.spin);
@@ -237,7 +239,7 @@ double moved_value(SearchResult& found, const Shot& shot) {
   return known == found.moved.end() || !known->shot ? -infinite : *known->shot->robustness.value;
 }
 
-/// Moves shots that may be worth more than all others are, `most` of them, those first that seem best.
+/// Moves shots that may be worth more than all others, at most `most` of them, the most promising first.
 void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::size_t most) {
   struct Candidate {
     double likely, at_most;

@@ -16,7 +16,8 @@ namespace {
 
 using Number = bankshot::Dual<2>;
 
-/// Where a ball rests that stops just as it touches a cushion, as nearly as touching is told; none if it would go on.
+/// Returns the rest of a ball that stops just as it touches a cushion, as nearly as touching is told; none if it would
+/// go on.
 template <class Motion>
 std::optional<State<Number>> stops_at(const Vec2<Number>& bounce, const Boundary& boundary, const Motion& motion,
                                       const State<Number>& before) {
@@ -25,15 +26,15 @@ std::optional<State<Number>> stops_at(const Vec2<Number>& bounce, const Boundary
   return goes_on ? std::nullopt : std::optional(rest);
 }
 
-/// Where a ball is, and where it was going, also if it rests there.
+/// The state of a ball on arrival, and its heading, also if it rests there.
 struct Arrived {
   State<Number> state;
   Vec2d heading;
 };
 
-/// The last ball at that time, or where it falls or rests before; none where a ball meets one that is to stand, or
-/// where the last has bounced more often. A bounce at that time is taken where it is counted; where a ball is to stop,
-/// and stops as it touches the cushion, it rests as if none were there, since that bounce has no derivative.
+/// Returns the last ball at that time, or where it falls or rests before. None where a ball meets one that is to stand,
+/// or where the last has bounced more often. A bounce at that time is taken where it is counted. A ball that is to
+/// stop, and stops as it touches the cushion, rests as if none were there: that bounce has no derivative.
 template <class Motion, class Cushion>
 std::optional<Arrived> follow(const SearchRequest& request, const Objects::Chain& chain, const Motion& motion,
                               ManyBalls<Number, Motion, Cushion>& sim, double seconds, std::size_t bounces) {

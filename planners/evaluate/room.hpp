@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a target offers beside a shot.
+// The interval that a target offers beside a shot.
 #pragma once
 
 #include "bankshot/geometry/aim_point.hpp"
@@ -8,8 +8,8 @@
 
 namespace bankshot::planning {
 
-/// How far the arrival may move along the unit vector `way`, across the line of travel [m]: back to `low`, on to
-/// `high`. Of a pocket, inside the gap of the line's direction; of a point, its disc.
+/// Returns how far the arrival may move along the unit vector `way`, across the line of travel [m]: back to `low`, on
+/// to `high`. For a pocket it stays inside the gap of the line's direction; for a point, inside its disc.
 inline Gap<double> room_beside(const SearchRequest& request, const Shot& shot, const Vec2d& way) {
   const AimPoint& aim_point = request.problem->aim_point_of(shot);
   const Vec2d off = aim_point.at - shot.path.arrival.at;

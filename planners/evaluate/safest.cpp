@@ -17,8 +17,7 @@
 namespace bankshot::planning {
 namespace {
 
-/// The same shot with another launch, which may brush a rail on its way where the puzzle allows that; none where it is
-/// not made.
+/// Returns the shot with another launch; none where that is not made. It may brush a rail where the puzzle allows that.
 std::optional<Shot> moved(const SearchRequest& request, EvaluationBudget& budget, const Shot& from, const Launch& to) {
   Goal goal = Goal::counted(request, from);
   if (request.puzzle().arrive) goal.demand = Demand::off_centre;

@@ -8,9 +8,9 @@
 namespace bankshot::planning {
 
 /// Moves a shot inside what is made to where its value is largest (outcome_map.hpp). The moved launch is verified with
-/// every bound of the puzzle, and replaces the shot where its own success makes it the better one. Such a shot is
-/// `moved`, and its miss is no longer 0. Success and value of the shot are known afterwards. False, and nothing is
-/// done, where there is no hope of a value of `worth`.
+/// every bound of the puzzle, and replaces the shot if its own success makes it the better one. Such a shot is `moved`,
+/// and its miss is no longer 0. Success and value of the shot are known afterwards. Returns false and does nothing
+/// where there is no hope of a value of `worth`.
 bool make_safest(const SearchRequest& request, EvaluationBudget& budget, Shot& shot, double worth = -1);
 
 }  // namespace bankshot::planning

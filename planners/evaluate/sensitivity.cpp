@@ -13,7 +13,7 @@ namespace {
 
 using Varied = Dual<one_varies>;
 
-/// m per unit of the coefficient that varies: as Verification::by_angle, how far the arrival moves.
+/// Returns how far the arrival moves, as in Verification::by_angle [m per unit of the coefficient that varies].
 template <class Motion>
 double moved(const SearchRequest& request, const Shot& shot, const Route& route,
              const VariedPhysics<one_varies>& physics, const Motion& motion, Work& work) {

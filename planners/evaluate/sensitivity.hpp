@@ -6,8 +6,8 @@
 
 namespace bankshot::planning {
 
-/// Fills in what each coefficient of the table moves the shot's arrival by, per unit of it: a locked simulation with
-/// derivatives for each.
+/// Adds how far each coefficient of the table moves the shot's arrival, per unit of it. Cost: one locked simulation
+/// with derivatives for each.
 void add_sensitivity(const SearchRequest& request, Shot& shot, Work& work);
 
 }  // namespace bankshot::planning

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // `success`: the probability that the target is made, by any allowed cushions, under the player's normal errors of aim
-// and speed (more of them: all_errors.hpp). Method: counted in the player's deviations the errors of aim and speed are
-// equally likely in every direction, so their plane may be turned: `across` is the direction that moves the arrival
-// most, to first order, `along` the one at right angles. What is made is then a band, or a few, along `along`. On a
-// line across it the edges are bisected, and the success on that line follows from them; noise_scanlines.hpp says what
-// all lines together make of it. Lines begin evenly spaced; more are laid where much probability lies between two of
-// them, or their success differs. Edges are looked for where the neighbouring lines have them, between some points
-// spread over the line and its ends, so that a band which nobody expects is met too. Where that agrees with first order
-// (limits.hpp), it ends.
-// Cost: no further line begins after most_samples simulations, or most_samples_of_balls once the cue ball is seen to
-// fall. Guarantee: none; docs/evidence.md has what was measured.
+// and speed (more of them: all_errors.hpp).
+// Method: counted in the player's deviations the errors of aim and speed are equally likely in every direction, so
+// their plane may be turned. `across` is the direction that moves the arrival most, to first order; `along` is at right
+// angles to it. The made launches are then one strip, or a few, along `along`. Noise scanlines cross it. The edges on a
+// scanline are bisected, and its success follows from them; noise_scanlines.hpp combines all of them. Scanlines begin
+// evenly spaced. More are laid where much probability lies between two of them, or their success differs. Edges are
+// looked for where the neighbouring scanlines have them. Points spread over the scanline, and its ends, meet a strip
+// that nobody expects. Where the result agrees with first order (limits.hpp), the method ends.
+// Cost: no further scanline begins after most_samples simulations, or most_samples_of_balls once the cue ball is seen
+// to fall. Guarantee: none; docs/evidence.md has what was measured.
 #include "planners/evaluate/success.hpp"
 #include "bankshot/geometry/aim_point.hpp"
 
@@ -67,7 +67,7 @@ class Chance {
   }
 
  private:
-  /// Turns the plane of errors, and sees what the derivatives say of the band.
+  /// Turns the plane of errors, and finds what the derivatives say of the made strip.
   void turn() {
     const Vec2d by_angle = shot_.verification.by_angle * noise_.angle,
                 by_speed = shot_.verification.by_speed * noise_.speed;
@@ -82,14 +82,15 @@ class Chance {
     expected_ = {room.low / moved, room.high / moved};
   }
 
-  /// Any speed will do that is one.
+  /// Returns whether one scanline is enough: in `ideal` any speed above 0 will do.
   bool one_line() const { return is_ideal(request_.puzzle().physics); }
 
-  /// Cue balls that fall cut what is made into parts of which first order knows nothing.
+  /// Returns the most simulations. Where cue balls fall, the made launches lie in regions of which first order knows
+  /// nothing.
   std::size_t most() const { return scratches_ ? most_samples_of_balls : most_samples; }
   bool left() const { return !budget_.spent(); }
 
-  /// Simulates one pair of errors; where no simulation is left, as the line's edges say.
+  /// Simulates one pair of errors. If no simulation is left, it decides by the scanline's edges.
   bool made(NoiseScanline& line, double across) {
     const auto at = std::lower_bound(line.tries.begin(), line.tries.end(), across,
                                      [](const NoiseScanline::Try& t, double v) { return t.across < v; });
@@ -105,7 +106,7 @@ class Chance {
     return r.made;
   }
 
-  /// Edges in line with those of the two nearest lines.
+  /// Returns a scanline with edges in line with those of the two nearest ones.
   NoiseScanline expect(double along) const {
     NoiseScanline e{along};
     e.edges = expected_;
@@ -153,7 +154,8 @@ class Chance {
     }
   }
 
-  /// Points at even steps of probability, shifted from line to line; both ways of a line are alike.
+  /// Tries points at even steps of probability, shifted from scanline to scanline. Both directions of a scanline are
+  /// alike.
   void spread(NoiseScanline& line) {
     const std::size_t count = one_line()       ? points_on_only
                               : lines_.empty() ? points_on_first
@@ -170,14 +172,15 @@ class Chance {
       for (const double p : {(static_cast<double>(k) + shift) * share, 1 - (static_cast<double>(k) + shift) * share})
         look(p);
     if (count % 2 == 1) look(0.5);
-    // Beyond the last of them an edge may hide.
+    // An edge may hide beyond the last of them.
     if (line.tries.empty()) return;
     if (line.tries.front().made) made(line, -widest);
     if (line.tries.back().made) made(line, widest);
   }
 
   /// Bisects every change between two tries, the likeliest first, and reads off the edges. Where the cue ball may fall,
-  /// a line with more than one band is left as it is: its parts are too many to follow, and more lines say more.
+  /// a scanline with more than one interval is left as it is: there are too many to follow, and more scanlines say
+  /// more.
   void settle(NoiseScanline& line, const std::vector<double>& expected) {
     const auto width = [&](std::size_t i) {
       const NoiseScanline::Try &a = line.tries[i - 1], &b = line.tries[i];
@@ -197,8 +200,8 @@ class Chance {
     return std::abs(success_of(lines_) - shot_.robustness.success_estimate) < agrees;
   }
 
-  /// What a line before line i may tell: the probability between the two, which counts more where their success
-  /// differs.
+  /// Returns how much a scanline before scanline i may tell: the probability between the two, which counts more where
+  /// their success differs.
   double tells(std::size_t i) const {
     const NoiseScanline &a = lines_[i - 1], &b = lines_[i];
     return (normal_below(b.along) - normal_below(a.along)) * (1 + of_change * std::abs(b.success - a.success));
@@ -215,7 +218,7 @@ class Chance {
   double length_ = std::numeric_limits<double>::infinity();
   std::vector<double> expected_{};
   std::size_t used_ = 0;
-  bool scratches_ = false;  ///< in some simulation
+  bool scratches_ = false;  ///< the cue ball fell in some simulation
   std::vector<NoiseScanline> lines_{};
 };
 

@@ -7,7 +7,7 @@
 
 namespace bankshot::planning {
 
-/// `success`: the probability that the target is made by any allowed cushions, under the player's errors;
+/// Finds `success`: the probability that the target is made by any allowed cushions, under the player's errors.
 /// success.cpp says how it is found. It takes about settings::success::most_samples_of_balls simulations at most, fewer
 /// where the budget ends.
 void find_success(const SearchRequest& request, EvaluationBudget& budget, Shot& shot);

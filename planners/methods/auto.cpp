@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Planner `auto`: the cheapest sure step first. Images are exact where paths unfold; a sweep of the
-// aim adds what they cannot see (reflex vertices, dead cushions); Levenberg–Marquardt and then a
-// global search are for what is left, and are not run when the images proved that nothing is.
-// With spin images are only seeds: the other proposers follow.
+// Planner `auto`: the cheapest sure step first. Images are exact where paths unfold. The planner `sweep` adds what they
+// cannot see (reflex vertices, dead cushions). Levenberg–Marquardt and then a global search are for what is left. They
+// do not run where the images were complete. With spin images are only seeds: the other proposers follow.
 #include <algorithm>
 #include <functional>
 #include <span>
@@ -25,14 +24,14 @@ namespace {
 
 using namespace settings::automatic;
 
-/// A route by straight cushions unfolds to one line, so its image is its only shot.
+/// Returns whether images are enough. A route by straight cushions unfolds to one line, so its image is its only shot.
 bool settled(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found) {
   if (found.complete || budget.cut() || stop::satisfied(request, found)) return true;
   const auto straight = [&](const Meeting& m) { return request.problem->boundary.line(m.with) != nullptr; };
   return request.route && !found.shots.empty() && std::ranges::all_of(*request.route, straight);
 }
 
-/// The best shot so far, as far as can be told before its success is known.
+/// Returns the best shot so far, as far as can be told before its success is known.
 const Shot& best_of(const SearchRequest& request, const SearchResult& found) {
   const auto merit = [&](const Shot& s) {
     return request.puzzle().prefer == Prefer::robust ? s.robustness.success_estimate : first_merit(request.puzzle(), s);
@@ -40,7 +39,7 @@ const Shot& best_of(const SearchRequest& request, const SearchResult& found) {
   return *std::ranges::max_element(found.shots, {}, merit);
 }
 
-/// Where one shot is wanted, the best: images see nine in ten; a map of wide cells looks for a better one.
+/// Returns whether an improvement pass is wanted. Images find most of the best shots; wide cells look for a better one.
 bool improvement_wanted(const SearchRequest& request, const EvaluationBudget& budget, const SearchResult& found) {
   if (request.first() || request.all() || request.route || found.shots.empty() || budget.cut()) return false;
   const auto sure = [](const Shot& s) { return s.robustness.success_estimate > settings::sure; };
@@ -53,7 +52,7 @@ void improvement_pass(const SearchRequest& request, EvaluationBudget& budget, Se
   propose::partition(request.better_than(best_of(request, found)), budget, found, improvement);
 }
 
-/// One arrival speed aimed for, or one launch speed.
+/// Searches for shots that arrive at one speed, or that have one launch speed.
 void look(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
   propose::stretched_images(request, budget, found);
@@ -73,7 +72,7 @@ void with_spin(const SearchRequest& request, EvaluationBudget& budget, SearchRes
   if (stop::nothing_yet(budget, found)) search_box(request, budget, found, word::global);
 }
 
-/// The arrival speeds and spins from which branches are searched: the ends that are preferred first.
+/// Returns the arrival speeds and spins from which branches are searched: the ends that are preferred first.
 std::vector<SearchRequest> samples_of(const SearchRequest& request) {
   std::vector<double> arrivals{request.asked};
   if (request.arrival && !request.arrival->fixed()) {
@@ -96,7 +95,7 @@ std::vector<SearchRequest> samples_of(const SearchRequest& request) {
   return out;
 }
 
-/// Those at which seeds are laid: launches of a carom have all speeds.
+/// Returns the samples at which seeds are laid. One arrival speed does for a carom, whose launches have all speeds.
 std::vector<SearchRequest> seed_samples_of(const SearchRequest& request) {
   std::vector<SearchRequest> out = samples_of(request);
   if (request.problem->carom())
@@ -115,9 +114,9 @@ Seeds seeds_of(const SearchRequest& request) {
       };
 }
 
-/// From simple to complex: `look` at shots by ever more cushions of the cue ball and of the last object ball together,
-/// with half of what is left of the budget, so that hard ones leave something to those after them. Where the best shot
-/// is wanted a stage ends the search when no shot by so many cushions can be better.
+/// Goes from simple to complex: `look` at shots by ever more cushions of the cue ball and of the last object ball
+/// together. Each stage may spend half of the budget that is left, so that hard ones leave something to those after
+/// them. If the best shot is wanted, the search ends when no shot by so many cushions can be better.
 template <class Look>
 void each_stage(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Look& look) {
   if (request.problem->carom()) return look(request);  // all cushions are followed at once
@@ -145,7 +144,7 @@ void each_stage(const SearchRequest& request, EvaluationBudget& budget, SearchRe
 /// Counts starts by their routes and aim points.
 class Starts {
  public:
-  /// The times that this was one, with now.
+  /// Counts a start; returns how many had its route and aim point, with this one.
   int count(const Candidate& candidate) {
     const auto same = [&](const auto& known) {
       return known.first.aim_point == candidate.aim_point && known.first.route == candidate.route;
@@ -159,7 +158,8 @@ class Starts {
   std::vector<std::pair<Candidate, int>> counted_{};
 };
 
-/// Climbs the branches of a stage where more than one thing is free, from all roots of the samples, the highest first.
+/// Climbs the branches of a stage where more than one quantity is free, from all roots of the samples, the highest
+/// first.
 void climb_branches(const SearchRequest& request, const SearchRequest& stage, EvaluationBudget& budget,
                     SearchResult& found, Starts& climbed) {
   struct Foot {
@@ -188,7 +188,7 @@ void climb_branches(const SearchRequest& request, const SearchRequest& stage, Ev
       branch::BranchSearch(request, budget, found, foot.start).climb_from(foot.at);
 }
 
-/// Branches are searched from roots of a few arrival speeds and spins, along each route to each aim point.
+/// Searches branches from roots of a few arrival speeds and spins, along each route to each aim point.
 void along_branches(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   Starts followed;
   const bool surfaces = branch::BranchSearch::freedom(request) > 1;
@@ -210,7 +210,7 @@ void along_branches(const SearchRequest& request, EvaluationBudget& budget, Sear
     SearchResult starts;
     for (const SearchRequest& sample : seed_samples_of(stage)) {
       if (request.problem->carom()) starts = {}, seeds = seeds_of(stage);
-      const std::size_t known = starts.candidates.size();  // whose routes have no second curve
+      const std::size_t known = starts.candidates.size();  // their routes have no second curve
       seeds(sample, budget, starts);
       follow(std::span(starts.candidates).subspan(known));
     }
@@ -232,8 +232,8 @@ void along_branches(const SearchRequest& request, EvaluationBudget& budget, Sear
   }
 }
 
-/// Arrival speeds or spins are free. Where images lead to no shot: the steps at each of a few speeds and spins, and of
-/// launches at the bounds of their own speed, which arrive as they may.
+/// Searches for shots where arrival speeds or spins are free. If images lead to none, the steps run at each of a few
+/// speeds and spins. They also run at the bounds of the launch speed, where balls arrive as they may.
 void with_freedom(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   along_branches(request, budget, found);
   const auto nothing_yet = [&] { return stop::nothing_yet(budget, found); };
@@ -252,13 +252,13 @@ void with_freedom(const SearchRequest& request, EvaluationBudget& budget, Search
     if (nothing_yet()) propose::jaw_shots(request.spinning(sample.spin), budget, found);
 }
 
-/// Puts spare shots where none was found.
+/// Uses shots held in reserve where none was found.
 void keep_spare(SearchResult& found, std::vector<Shot> spare) {
   if (found.shots.empty()) found.shots = std::move(spare);
 }
 
-/// The cue ball sends another on, or goes on off it. Where nothing is found, first beside what is blocked; then every
-/// way to go on from ball to ball is followed.
+/// Searches for shots in which the cue ball sets another ball going, or goes on off it. If nothing is found, it looks
+/// first beside what is blocked. Then it follows every route from ball to ball.
 void with_balls(const SearchRequest& asked, EvaluationBudget& budget, SearchResult& found) {
   SearchRequest request = asked;
   // A pot counts however the ball falls. One by a cushion leads to those that brush a rail or a jaw, and is moved to a
@@ -273,7 +273,7 @@ void with_balls(const SearchRequest& asked, EvaluationBudget& budget, SearchResu
     each_stage(request, budget, found,
                [&, seeds = seeds_of(request)](const SearchRequest& stage) { seeds(stage, budget, found); });
   propose::partial_targets(request, budget, found);
-  // Shots that cannot be moved to use no cushion only tell what would allow them.
+  // Shots that cannot be moved to use no cushion only tell which relaxation would allow them.
   std::vector<Shot> spare;
   if (request.object_cushions.max > asked.object_cushions.max && !(value_in_hand(request, budget, found) > 0))
     spare = std::exchange(found.shots, {});

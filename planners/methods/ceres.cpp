@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Planner `ceres`: Levenberg–Marquardt (ceres::TinySolver) on dual-number derivatives of the
-// locked residual, in (aim, ln speed) or in the aim alone.
-// Seeds: the images of unfold.hpp with their routes; on tables with reflex vertices also a fan of
-// aims with the routes their traces meet. Cost: about ten locked simulations a seed. Guarantee: none beyond the
-// proof; it finds the root its seed leads to.
+// Planner `ceres`: Levenberg–Marquardt (ceres::TinySolver) on dual-number derivatives of the locked residual, in (aim,
+// ln speed) or in the aim alone.
+// Seeds: the images of unfold.hpp with their routes; on tables with reflex vertices also a fan of aims with the routes
+// their traces meet. Cost: about ten locked simulations a seed. Guarantee: none beyond verification; it finds the root
+// its seed leads to.
 #include "bankshot/geometry/aim_point.hpp"
 #include "planners/methods/methods.hpp"
 #include "planners/propose/refine.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view word = "ceres";
 
-/// Every half degree, where no image exists.
+/// Refines a fan of aims around the circle, for roots that have no image.
 void from_fan(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const RootFinder& find) {
   constexpr int aims = settings::sweep::fan;
   for (int i = 0; i < aims; ++i)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Planner `image`: the exact aims of `ideal` and `rolling` from unfolding, nearest image first.
-// Cost: one trace and one replay a candidate. Guarantee: on a table without reflex vertices every
-// cushion sequence that occurs is tried, so finding nothing is a proof as far as the target's
-// centre goes; parts of the target beside its centre are then searched on a grid of aims.
+// Cost: one trace and one replay a candidate. Guarantee: on a table without reflex vertices every route that occurs is
+// tried. If nothing is found, this certifies that no shot reaches the target's centre. Parts of the target beside its
+// centre are then searched on a grid of aims.
 // Fails: restitution 0 (the unfolding is singular) and bounces on reflex vertices (not straight).
 // Source: the method of images: on a table unfolded at each cushion it meets, a path that bounces is one straight line;
 // restitution below 1 stretches the image (unfold.hpp).
@@ -24,7 +24,7 @@ namespace {
 
 double stretch(const SearchRequest& request) { return restitution(request.puzzle().physics).at_rest; }
 
-/// Every centred candidate; true when all were tried.
+/// Tries every centred candidate; returns whether all were tried.
 bool centred(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   Unfolding candidates(request, {.restitution = stretch(request)});
   while (const auto c = candidates.next()) {
@@ -41,7 +41,7 @@ bool centred(const SearchRequest& request, EvaluationBudget& budget, SearchResul
   return candidates.whole();
 }
 
-/// What of a candidate's window of aims the puzzle's bounds leave: at most two pieces.
+/// Returns the aims of a candidate's window that the puzzle's bounds leave: at most two pieces.
 std::vector<Range> allowed(const SearchRequest& request, const Image& c) {
   const double low = c.angle + c.low, high = c.angle + c.high;
   if (!request.angle) return {{low, high}};
@@ -53,7 +53,7 @@ std::vector<Range> allowed(const SearchRequest& request, const Image& c) {
   return pieces;
 }
 
-/// Off-centre shots; true when a ray may reach some part of the target at all.
+/// Searches for off-centre shots; returns whether a ray may reach some part of the target at all.
 bool beside_centre(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   Unfolding parts(request, {.parts = true, .restitution = stretch(request)});
   bool some_part = false;
@@ -77,8 +77,8 @@ void image(const SearchRequest& request, EvaluationBudget& budget, SearchResult&
   found.complete = whole && request.problem->boundary.unfolds() && !dead;
   if (!found.shots.empty() || budget.cut() || !whole) return;
   const bool some_part = beside_centre(request, budget, found);
-  if (!request.problem->boundary.jaws.empty()) return;  // they may turn a ball in whose line leads nowhere
-  // Without obstacles and bounds on the speed every ray of a window is made: what is left is no shot.
+  if (!request.problem->boundary.jaws.empty()) return;  // jaws may turn a ball in whose line leads nowhere
+  // Without obstacles and bounds on the speed every ray of a window is made. So if none was found, there is none.
   const bool no_obstacle = request.problem->boundary.strictly_convex && request.problem->boundary.pockets.empty() &&
                            request.problem->boundary.balls.empty();
   found.proved = found.complete && (!some_part || (no_obstacle && is_ideal(request.puzzle().physics))) &&

@@ -23,7 +23,7 @@ struct Method {
 };
 
 std::span<const Method> all();
-/// Throws InvalidInput that names the known ones.
+/// Returns the planner of this name. Throws InvalidInput that names the known ones.
 const Method& find(const std::string& name);
 
 }  // namespace bankshot::planning::methods

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Planners `nlopt-*`: NLopt in (aim, speed), or in the aim alone. One table of methods.
-// Without derivatives the objective is the natural one, the squared miss of the real path plus the
-// squared error of the arrival speed; it jumps wherever the sequence of cushions does. With a gradient
-// it is the squared residual of a locked path, which does not. Local methods start at the images,
-// global ones search the whole box of bounds. The best point found is moved onto the root along its
-// own route (solve/levenberg_marquardt.hpp) and proved.
+// Without derivatives the objective is the natural one: the squared miss of the real path plus the squared error of the
+// arrival speed. It jumps wherever the route does. With a gradient it is the squared residual of a locked path, which
+// does not jump. Local methods start at the images, global ones search the whole box of bounds. The best point found is
+// moved onto the root along its own route (solve/levenberg_marquardt.hpp) and verified.
 // Cost: thousands of simulations. Guarantee: none. Random draws are seeded: same puzzle, same answer.
 #include <nlopt.h>
 
@@ -36,7 +35,7 @@ struct Optimisation {
   const char* name;
   nlopt_algorithm algorithm;
   Scope scope;
-  int evaluations;  ///< most, a start
+  int evaluations;  ///< most evaluations from one start
 };
 constexpr Optimisation bobyqa{"nlopt-bobyqa", NLOPT_LN_BOBYQA, Scope::local, local_evaluations};
 constexpr Optimisation sbplx{"nlopt-sbplx", NLOPT_LN_SBPLX, Scope::local, local_evaluations};
@@ -107,7 +106,7 @@ Optimiser make(nlopt_algorithm algorithm, unsigned unknowns, int evaluations) {
   return opt;
 }
 
-/// Minimises inside the bounds, from `start`; any status: what counts is the best point seen, left in x.
+/// Minimises inside the bounds, from `start`. Any status will do: the best point seen counts, and is left in x.
 void minimise(const SearchRequest& request, nlopt_opt opt, const Range& angles, const Launch& start, double (&x)[2]) {
   const double low[2] = {angles.low, request.speed.low}, high[2] = {angles.high, request.speed.high};
   nlopt_set_lower_bounds(opt, low);
@@ -153,7 +152,7 @@ class Planner {
   }
 
  private:
-  /// Optimises from one start and certifies what it leads to.
+  /// Optimises from one start and verifies what it leads to.
   void run(const Launch& start) {
     const unsigned unknowns = request_.one_unknown() ? 1 : 2;
     const Optimiser opt = make(method_.algorithm, unknowns, method_.evaluations);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What NLopt does for planners. A build without it has without_nlopt.cpp in place of nlopt.cpp: no method, and a global
+// The planners that use NLopt. A build without it has without_nlopt.cpp in place of nlopt.cpp: no planner, and a global
 // search that finds nothing.
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace bankshot::planning::methods {
 
-/// The global search over the whole box of bounds (NLopt DIRECT-L), on the real path; `step` names it in answers.
+/// Runs the global search over the whole box of bounds (NLopt DIRECT-L), on the real path; `step` names it in answers.
 void search_box(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::string_view step);
 
-/// The planners `nlopt-*`.
+/// Returns the planners `nlopt-*`.
 std::span<const Method> nlopt_methods();
 
 }  // namespace bankshot::planning::methods

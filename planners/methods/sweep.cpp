@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Planner `sweep`: follow the aim once around the circle. Where a path's shape does not depend on
-// its speed (`ideal`, `rolling`) this is a search in one dimension, which sees what no image can:
-// bounces on reflex vertices, cushions without rebound. Where it does, a map of aim and speed (forward_map.hpp).
-// Method: trace a fan of aims; between two neighbours that meet different cushions bisect down to
-// rounding, between two that meet the same ones look for a change of side of the target and bisect
-// to it. Cost: about 5,000 traces. Guarantee: none; a sequence narrower than the fan's spacing that
-// lies between two equal neighbours is missed.
+// Planner `sweep`: follows the aim once around the circle. If a path's shape does not depend on its speed (`ideal`,
+// `rolling`), this is a search in one dimension. It sees what no image can: bounces on reflex vertices, cushions
+// without rebound. Otherwise it is a partition of aim and speed (forward_map.hpp).
+// Method: trace a fan of aims. Between two neighbours that meet different cushions bisect down to rounding. Between two
+// that meet the same ones look for a change of side of the target and bisect to it.
+// Cost: about 5,000 traces. Guarantee: none; a route narrower than the fan's spacing that lies between two equal
+// neighbours is missed.
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +23,7 @@ namespace {
 
 using namespace settings::sweep;
 
-/// On which side of each aim point each leg passes.
+/// The sides on which the legs of one aim pass each aim point.
 struct Sample {
   double angle;
   std::vector<Contact> contacts;
@@ -32,7 +32,7 @@ struct Sample {
     bool ahead;
   };
   std::vector<Side> sides{};        ///< leg by leg, aim point by aim point
-  std::vector<Vec2d> directions{};  ///< of the legs
+  std::vector<Vec2d> directions{};  ///< directions of the legs
 };
 
 class Sweep {
@@ -50,7 +50,7 @@ class Sweep {
     }
   }
 
-  /// Where nothing reaches the target's centre.
+  /// Searches beside the target's centre, for puzzles in which nothing reaches the centre.
   void beside_centre() {
     const Range around = aims();
     reach_part(request_, budget_, found_, around, around.low, fan + 1, Goal::of(request_), word::partition);
@@ -101,8 +101,8 @@ class Sweep {
     between(middle, b);
   }
 
-  /// A reflex vertex turns a leg through a wide angle within a narrow one of the aim: too far to
-  /// see a change of side from its two ends.
+  /// Returns whether a leg turns too far between two aims to see a change of side from them. A reflex vertex turns a
+  /// leg through a wide angle within a narrow one of the aim.
   static bool turns_far(const Sample& a, const Sample& b) {
     for (std::size_t k = 0; k < std::min(a.directions.size(), b.directions.size()); ++k)
       if (dot(a.directions[k], b.directions[k]) < widest_turn) return true;

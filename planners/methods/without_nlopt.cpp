@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// In place of nlopt.cpp in a build without NLopt.
+// Takes the place of nlopt.cpp in a build without NLopt.
 #include "planners/methods/nlopt.hpp"
 
 namespace bankshot::planning::methods {

@@ -60,7 +60,8 @@ class AimTried {
     return !budget_.spent() && certify(request_, budget_, found_, launch, bounces_, step_, demand_);
   }
 
-  /// Tries a rounded angle: a path through corners was likely asked at one, and the image has it only to rounding.
+  /// Tries a rounded angle. A puzzle with a path through corners likely has one, and the image gives it only to
+  /// rounding.
   bool round_angle(double angle, double step) {
     const double rounded = radians(std::round(degrees(angle) * 1e9) / 1e9);
     if (!(std::abs(rounded - angle) < step)) return false;

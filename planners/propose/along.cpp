@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A ball that touches a cushion may run exactly along it. It meets other cushions then than at any aim
-// beside, so no map of aims shows it; but the aim is known, and only the speed is looked for.
-// Method: launches at even steps of ln speed, both ways along each cushion touched; from each that is nearer
-// to what was asked than its neighbours a golden-section search, then a proof. Cost: some 600
+// A ball that touches a cushion may run exactly along it. It then meets other cushions than at any aim beside, so no
+// partition of aims shows it. The aim is known, and only the speed is searched for.
+// Method: launches at even steps of ln speed, both ways along each cushion touched. A golden-section search starts at
+// each launch that comes nearer to what is asked than its neighbours; a replay then verifies. Cost: some 600
 // simulations a cushion. Guarantee: none.
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 
 using namespace settings::along;
 
-/// Launches at one aim.
+/// Searches the speeds of one aim.
 class OneAim {
  public:
   OneAim(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, double angle)
@@ -41,7 +41,8 @@ class OneAim {
   }
 
  private:
-  /// A speed, and minus how far its launch is from what is asked: of the diagonal, and of the arrival speed.
+  /// A speed and its value: minus the distance of its launch from what is asked. The miss counts as a share of the
+  /// diagonal, and the error of the arrival speed as a share of the speed asked.
   struct Tried {
     double x, value;
   };

@@ -69,7 +69,7 @@ void ChainPath::object_ball_path(const Motion& motion, const Cushion& cushion, i
   const auto fell = [&](const State<double>& s) {
     if (norm(s.velocity) > 0) out.falls.push_back(fall_of(joined(before, out.route), launch, *place.aim_point, s));
   };
-  double nearest = forever;  // on the leg
+  double nearest = forever;  // m, on this leg
   Pass pass{0, false};
   State<double> passing = sent;
   const auto begins = [&] {

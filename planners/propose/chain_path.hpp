@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How a ball of a chain goes on from the contact that sent it, and how it passes what it is to meet next: really, as if
-// no other ball stood there, or along a route that is given. For bands.cpp.
+// Follows a ball of a chain from the contact that sets it going, and tells how it passes the place that it is to reach.
+// It is followed as if no other ball stood there, or along a given route. For contact_windows.cpp.
 #pragma once
 
 #include <map>
@@ -14,16 +14,16 @@
 
 namespace bankshot::planning::propose {
 
-/// What a ball is to meet, and how far it is sent by.
+/// The place that a ball is to reach next, and the distance within which it counts as reached.
 struct Place {
   Vec2d at;
   double reach;                         ///< m
-  const AimPoint* aim_point = nullptr;  ///< of the last ball
+  const AimPoint* aim_point = nullptr;  ///< the last ball's; null for the others
 };
 
-/// Of one leg, how a place is passed.
+/// The offset at which one leg passes a place.
 struct Pass {
-  double left;  ///< m, of the line of travel
+  double left;  ///< m; how far the place, or its exact line, lies to the left of the line of travel
   bool ahead;
 };
 
@@ -32,36 +32,37 @@ struct Fall {
   Route route;
   Launch launch;
   double arrived;  ///< m/s
-  double right;    ///< m, of the aim point's centre
+  double right;    ///< m; how far the aim point's centre lies to the right of the line of travel
   const AimPoint* aim_point;
 };
 
-/// What becomes of a ball.
+/// The path of one ball after its contact.
 struct Followed {
-  std::map<Route, Pass> passes{};  ///< by its routes as they grow from leg to leg
-  Route route{};                   ///< until it has met more than it may, falls or rests
+  std::map<Route, Pass> passes{};  ///< one for each leg, by the route up to there
+  Route route{};                   ///< cushions met, until there are too many of them or the ball falls or rests
   Contact end{};
-  double nearest = forever;  ///< m, to the place
+  double nearest = forever;  ///< m; least distance to the place
   std::vector<Fall> falls{};
 };
 
-/// Balls are counted along the chain, the struck one is 0. After the n-th contact the n-th is on its way, in a carom
-/// the struck one.
+/// Follows the balls of a chain. They are counted along the chain; the cue ball is 0. After the n-th contact the n-th
+/// ball moves on; in a carom that is the cue ball.
 class ChainPath {
  public:
-  /// All must outlive it.
+  /// The arguments must outlive this.
   ChainPath(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain);
 
   int last() const { return static_cast<int>(chain_.balls.size()); }
   const CushionRule& rule(int n) const;
   int number(int n) const { return is_struck(n) ? 0 : object(n).ball; }
   Contact contact_with(int n) const { return Contact::ball(object(n).ball); }
-  /// The ball that it must touch.
+  /// Returns the place of the ball that the n-th ball must touch.
   Place next_of(int n) const;
 
-  /// The ball that a launch sends on by the route `before`, as if it were alone from then. Two simulations.
+  /// Follows the ball that a launch sets going by the route `before`, as if it were alone from then. Cost: two
+  /// simulations.
   Followed follow(int n, const Route& before, const Place& place, const Launch& launch);
-  /// How it passes the place along a whole route; none where that leads nowhere.
+  /// Returns how the ball passes the place along a whole route; none where the route leads nowhere.
   std::optional<Pass> locked_pass(const Route& route, int n, const Place& place, const Launch& launch);
   std::optional<double> left_of(const Route& route, int n, const Place& place, const Launch& launch);
 
@@ -84,7 +85,7 @@ class ChainPath {
   std::vector<Boundary> alone_{};  ///< the table as each ball sees it by itself
 };
 
-/// One route after the other.
+/// Returns one route followed by the other.
 Route joined(Route a, const Route& b);
 
 }  // namespace bankshot::planning::propose

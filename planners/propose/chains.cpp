@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Shots by which the cue ball sends another on: two searches of one ball, put together.
-// Method: the other ball alone, from where it stands, has a launch for each of its routes, as images and Newton's
-// method find them; its direction gives the ghost, where the cue ball must be when they touch, and its speed the
-// normal speed that the struck one must have there. Images lead the cue ball through the ghost at that normal speed,
-// so that no cosine of the cut is left; what throw turns the other ball by, the ghost is turned back. From there
-// Newton's method on the whole chain, with derivatives through the contact. In a combination it is the last ball that
-// is looked at alone, and what leads through its ghost is the chain of those before it, found in the same way.
-// Cost: some ten simulations a leg, twenty a chain. Guarantee: none beyond the proof; a root is found where its seed
+// Shots by which the cue ball sets an object ball going: two searches of one ball, put together.
+// Method: the object ball, as if alone where it stands, has a launch for each of its routes; images and Newton's method
+// find them. Its direction gives the ghost ball: the place of the cue ball when they touch. Its speed gives the normal
+// speed that the cue ball must have there. Images lead the cue ball through the ghost ball at that normal speed, so
+// that no cosine of the cut is left. The ghost ball is turned back by the angle by which throw turns the object ball.
+// From there Newton's method solves the whole chain, with derivatives through the contact. In a combination the last
+// ball is searched for alone. The chain of the balls before it leads through its ghost ball, and is found in the same
+// way.
+// Cost: some ten simulations a leg, twenty a chain. Guarantee: none beyond verification. A root is found where its seed
 // leads, and a chain of routes hardly ever has two.
 #include <algorithm>
 #include <cmath>
@@ -43,7 +44,7 @@ class Chains {
                   request.one_unknown() ? std::optional(request.fixed_speed()) : std::nullopt) {}
 
   void run(std::vector<Candidate>& known) {
-    for (const Leg& leg : legs(request_, budget_, chain_, images, known)) {
+    for (const Leg& leg : legs(request_, budget_, chain_, stretched_images, known)) {
       if (stop::enough_seeds(request_, budget_, found_)) return;
       if (is_worth(leg, norm(last_.at_rest.at - request_.puzzle().ball.at))) join_all(leg);
       if (is_settled(leg)) known.push_back(leg.alone);
@@ -51,8 +52,9 @@ class Chains {
   }
 
  private:
-  /// Whether a cue ball that rolls so far [m] to the object ball may pot it as often as the question needs. An error of
-  /// aim turns the object ball by the distance over where the balls touch; English and cushions may halve that.
+  /// Returns whether a cue ball that rolls so far [m] to the object ball may pot it as often as the request needs. An
+  /// error of aim grows by that distance over the one between the touching centres. English and cushions may lessen
+  /// that.
   bool is_worth(const Leg& leg, double distance) const {
     if (request_.likelier <= 0 || by_ || !(leg.spread > 0) || !leg.aim_point.drops()) return true;
     const double turned = request_.puzzle().noise.angle * distance / norm(ghost({1, 0}) - last_.at_rest.at);
@@ -60,7 +62,7 @@ class Chains {
     return std::erf(leg.aim_point.reach / (beside * std::sqrt(2.0))) > request_.likelier;
   }
 
-  /// With all that leads through the ghost: images, and in a combination the chains of the balls before.
+  /// Joins the leg with all routes through its ghost ball: images, and in a combination the chains of the balls before.
   void join_all(const Leg& leg) {
     const SearchRequest at_ghost = to_ghost_.at(ghost(direction(leg.launch().angle)));  // corrections move the place
     if (!by_) return each_image(leg, at_ghost);
@@ -72,7 +74,7 @@ class Chains {
     }
   }
 
-  /// A route that has a root needs no other image.
+  /// Joins the leg with each image of the ghost ball. A route that has a root needs no other image.
   void each_image(const Leg& leg, const SearchRequest& at_ghost) {
     const bool straight = is_straight(request_.puzzle().physics);
     std::set<Route> settled;
@@ -94,19 +96,20 @@ class Chains {
     }
   }
 
-  /// Straight at the ghost, and from before it.
+  /// Returns whether a straight hit on the ghost ball is possible: the cue ball must come from behind it.
   bool may_hit(const Leg& leg, double angle) const {
     return request_.spin.masse != 0 || dot(direction(angle), direction(leg.launch().angle)) >= least_cosine;
   }
 
-  /// At any arrival speed.
+  /// Returns whether no other arrival speed needs this leg: its straight hit is found, or no straight hit sends the
+  /// ball there.
   bool is_settled(const Leg& leg) const {
     if (!hit_straight(request_, chain_)) return false;
     const Vec2d way = last_.at_rest.at - request_.puzzle().ball.at;
     return has_candidate(leg, {}) || dot(way, direction(leg.launch().angle)) < least_settled * norm(way);
   }
 
-  /// Of another arrival speed, or found just now.
+  /// Returns whether the result has a candidate by this route, found at another arrival speed or just now.
   bool has_candidate(const Leg& leg, const Route& before) const {
     if (!request_.starts() || found_.candidates.empty()) return false;
     const Route whole = whole_route(leg, before);
@@ -118,19 +121,20 @@ class Chains {
     return together(chain_, to_ghost_.part().whole(before), leg);
   }
 
-  /// Where the ball before the last is when it sends that along n.
+  /// Returns the place of the ball before the last when it sends the last one along n.
   Vec2d ghost(const Vec2d& n) const {
     return last_.at_rest.at - n * touching_distance(body_before(), last_.at_rest.body);
   }
   const Body& body_before() const { return by_ ? by_->at_rest.body : request_.puzzle().ball.body; }
 
-  /// The normal speed that gives the last ball a speed.
+  /// Returns the normal speed of the ball before the last that gives the last ball this speed.
   double normal_speed(double speed) const {
     const double m1 = body_before().mass, m2 = last_.at_rest.body.mass;
     return speed * (m1 + m2) / ((1 + collisions(request_.puzzle().physics).restitution) * m1);
   }
 
-  /// By a route through the ghost, from a launch near it: corrected, and from there the root of the whole.
+  /// Joins the leg with a route through the ghost ball. `seed` is a launch near that route. It is corrected, and
+  /// Newton's method then finds the root of the whole chain.
   bool join(const Leg& leg, const Route& route, Launch seed) {
     double turn = 0, asked = normal_speed(leg.launch().speed);
     for (int i = 0; i < settings::most_steps; ++i) {
@@ -172,7 +176,7 @@ class Chains {
   SearchResult& found_;
   const Objects::Chain& chain_;
   const Objects::Object& last_;
-  const Objects::Object* by_;  ///< the ball before the last; null: the struck one
+  const Objects::Object* by_;  ///< the ball before the last; null: the cue ball
   ToPlace to_ghost_;
 };
 

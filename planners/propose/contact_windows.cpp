@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// A chain or a carom followed forwards. At one launch speed the aims by which a ball is touched along one route are a
-// band; the next ball is touched from bands inside it, and the last passes its aim point on one side or the other.
-// Method: at each speed of a row, aims evenly in the cut across a band are followed through the contact and on, as if
-// no other ball stood there. Each leg of the ball that was touched passes the next one at some offset, which is
-// continuous along a route; so false position finds where a band begins and ends, and where the last ball is on its
-// exact line. From there Newton's method on the whole chain, to the speed that arrives as asked. Balls that fell
-// without such a root (rolling along a rail into a pocket, say) are brought to that speed as they are. Narrow bands are
-// found at the speeds where they are, which those of other speeds do not tell; so where nothing is found the speeds
-// between are followed too, down to 1/64 of the range. Cost: two simulations an aim, some 100 aims a speed, band and
-// ball. Guarantee: none beyond the proof; a route narrower than the step of aims between two others is passed over.
+// A chain or a carom, followed forwards. At one launch speed the aims by which a ball is touched along one route form a
+// window. The next ball is touched from windows inside it, and the last passes its aim point on one side or the other.
+// Method: at each of several speeds, aims evenly in the cut across a window are followed through the contact and on, as
+// if no other ball stood there. Each leg of the ball that was touched passes the next one at some offset, which is
+// continuous along a route. So false position finds where a window begins and ends, and where the last ball is on its
+// exact line. From there Newton's method solves the whole chain for the arrival speed asked. Balls that fell without
+// such a root (rolling along a rail into a pocket, say) are brought to that speed as they are. Narrow windows exist at
+// few speeds, and other speeds do not show them. So where nothing is found the speeds between are followed too, down to
+// 1/64 of the range.
+// Cost: two simulations an aim, some 100 aims a speed, window and ball. Guarantee: none beyond verification; a route
+// narrower than the step of aims between two others is passed over.
 #include "bankshot/geometry/aim_point.hpp"
 
 #include <algorithm>
@@ -49,9 +50,9 @@ class ContactWindows {
     for (const Shot& shot : found.shots) made_.insert(route_of(shot));
   }
 
-  /// At launch speeds that divide the bounds into `fine` parts, but for those of `coarse` parts, evenly in their
-  /// logarithm; 0: none is known. Wide steps come first, since one root is mostly enough. Where the speed is given,
-  /// more aims are followed instead.
+  /// Searches at launch speeds that divide the bounds into `fine` parts, evenly in their logarithm. Those of `coarse`
+  /// parts are known and left out; 0: none is known. Wide steps come first, since one root is mostly enough. If the
+  /// speed is given, more aims are followed instead.
   void run(int coarse, int fine) {
     if (request_.one_unknown() || request_.speed.fixed()) {
       finer_ = static_cast<int>(std::sqrt(fine));
@@ -63,10 +64,10 @@ class ContactWindows {
 
  private:
   struct Window {
-    Route route;  ///< with the ball that is touched
+    Route route;  ///< up to the contact with the ball that is touched
     Range aims;
   };
-  /// An aim, and what becomes of the ball.
+  /// An aim, and the path of the ball that is followed.
   struct Sample {
     double aim;
     Followed ball;
@@ -75,20 +76,20 @@ class ContactWindows {
 
   bool over() const { return stop::one_found(request_, budget_, found_); }
 
-  /// Of the range of speeds, so far from its low end.
+  /// Returns the launch speed at a share of the range, evenly in its logarithm.
   double speed_at(double share) const {
     const double slowest = std::max(request_.speed.low, request_.speed.high * settings::slowest_of_fastest);
     return slowest * std::pow(request_.speed.high / slowest, share);
   }
 
-  /// In the middle of each of these parts.
+  /// Returns the launch speeds in the middle of each of these parts.
   std::vector<double> between(int parts) const {
     std::vector<double> speeds;
     for (int i = 0; i < parts; ++i) speeds.push_back(speed_at((i + 0.5) / parts));
     return speeds;
   }
 
-  /// Those by few cushions first, at all of these speeds.
+  /// Searches at all of these speeds, routes with few cushions first.
   void look(const std::vector<double>& speeds) {
     std::vector<std::pair<double, Window>> bands;
     for (const double speed : speeds) {
@@ -111,7 +112,7 @@ class ContactWindows {
 
   Launch launch(double aim) const { return {speed_, aim}; }
 
-  /// From the first ball to the aim point.
+  /// Follows a window from the first ball to the aim point.
   void object_ball_path(const Window& first) {
     std::vector<Window> bands{first};
     for (int ball = 1; ball < path_.last(); ++ball) {
@@ -149,7 +150,7 @@ class ContactWindows {
     return aims;
   }
 
-  /// The bands from which a ball touches the next, of aims in turn.
+  /// Adds the windows from which a ball touches the next one. `tried`: the aims to follow, in order.
   void touching(int ball, const Route& before, const std::vector<double>& tried, std::vector<Window>& out) {
     const Place place = path_.next_of(ball);
     each_track(ball, before, place, tried,
@@ -162,7 +163,7 @@ class ContactWindows {
                });
   }
 
-  /// Where a track passes within `edge`.
+  /// Finds the aims at which a track passes within `edge`.
   template <class Left>
   std::vector<Range> passing(const std::vector<double>& aims, const Track& track, double edge, const Left& left) {
     std::vector<Range> out;
@@ -202,14 +203,14 @@ class ContactWindows {
     return out;
   }
 
-  /// Where `value` is 0 between two aims, near enough for Newton's method.
+  /// Returns the aim between two at which `value` is 0, near enough for Newton's method.
   template <class Value>
   double crossing(double a, double at_a, double b, double at_b, const Value& value) {
     const double enough = settled * (std::abs(at_a) + std::abs(at_b));
     return false_position(a, at_a, b, at_b, enough, settings::patience, value);
   }
 
-  /// Where the last ball is on its exact line, and from there as fast as asked.
+  /// Finds the aims that put the last ball on its exact line, and from there the launches that arrive as fast as asked.
   void roots(const AimPoint& aim_point, const Route& before, const std::vector<double>& tried) {
     const Place place{aim_point.at, aim_point.reach, &aim_point};
     each_track(path_.last(), before, place, tried,
@@ -241,12 +242,13 @@ class ContactWindows {
     if (certify_root(aim, budget_, found_, found.launch, step_)) made_.insert(route);
   }
 
-  /// All of a range will do, so the row's speed is one.
+  /// Returns whether any arrival speed of a range will do; then the launch speed need not change.
   bool any_arrival() const {
     return request_.problem->carom() && !request_.one_unknown() && !request_.arrival->fixed();
   }
 
-  /// `look(route, aims, its passes)` of each route that some aim has, with its neighbours' on the locked path.
+  /// Calls `look(route, aims, track)` for each route that some aim has. Neighbouring aims get their passes from the
+  /// locked path.
   template <class Look>
   void each_track(int ball, const Route& before, const Place& place, const std::vector<double>& aims,
                   const Look& look) {
@@ -293,11 +295,11 @@ class ContactWindows {
   ChainPath path_;
   std::string_view step_;
   Falls falls_;
-  SearchRequest at_speed_;  ///< of the row
-  double speed_ = 0;        ///< m/s, of the row
-  int finer_ = 1;           ///< times as many aims
+  SearchRequest at_speed_;  ///< the request at the current launch speed
+  double speed_ = 0;        ///< m/s; the current launch speed
+  int finer_ = 1;           ///< factor on the number of aims
   std::map<Route, std::vector<Launch>> roots_{};
-  std::set<Route> made_{};  ///< which have a shot on the exact line
+  std::set<Route> made_{};  ///< routes that have a shot on the exact line
 };
 
 }  // namespace
@@ -310,7 +312,7 @@ void contact_windows(const SearchRequest& request, EvaluationBudget& budget, Sea
   for (const Objects::Chain& chain : request.problem->objects->chains) {
     if (is_hidden(request, chain)) continue;
     ContactWindows(request, budget, found, chain).run(request.problem->carom() ? few_rows : 0, rows);
-    parts(request, budget, found);
+    partial_targets(request, budget, found);
   }
 }
 

@@ -33,7 +33,8 @@ void Falls::bring_to_speed(const std::set<Route>& made) {
   }
 }
 
-/// To rest at a point it is brought to pass there so slowly that it rests half as far beyond as it may.
+/// Returns the request to which falls are brought. A ball that is to rest at a point is brought to pass it slowly, so
+/// that it rests half the reach beyond.
 SearchRequest Falls::to_bring() const {
   if (!request_.stop) return request_;
   SearchRequest passing = request_;
@@ -47,7 +48,7 @@ bool Falls::keep(const Launch& launch, int bounces) {
   return certify(request_, budget_, found_, launch, bounces, step_, Demand::off_centre);
 }
 
-/// On the line on which it fell.
+/// Brings a fall to the speed asked, on the line on which the ball fell.
 bool Falls::beside(const Fall& fall) {
   if (!fall.aim_point->captures()) return false;
   AimPoint aim_point = *fall.aim_point;
@@ -56,13 +57,14 @@ bool Falls::beside(const Fall& fall) {
   return there && keep(there.launch, bounces_of(fall.route));
 }
 
-/// Where no locked path leads, along a rail for one: as the last ball is touched.
+/// Brings a fall to the speed asked by replays that keep the cut of the last ball. It is for falls to which no locked
+/// path leads, for example along a rail.
 bool Falls::by_replays(const SearchRequest& brought, const Fall& fall) {
   const auto made = made_as_asked(brought, budget_, fall.launch, turn_of(fall));
   return made && keep(made->launch, made->replay.bounces);
 }
 
-/// Rad per ln speed that keep the cut of the last ball.
+/// Returns the turn of the aim [rad per ln speed] that keeps the cut of the last ball.
 double Falls::turn_of(const Fall& fall) {
   const int last = path_.last();
   const auto touch = std::ranges::find(fall.route, path_.contact_with(last), &Meeting::with);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Last balls that met their aim point at another speed than is asked, by a route that leads to no root: rolling along a
-// rail into a pocket, say. They are brought to that speed as they are. For bands.cpp.
+// Last balls that met their aim point at another speed than asked, by a route that leads to no root: rolling along a
+// rail into a pocket, say. They are brought to that speed as they are. For contact_windows.cpp.
 #pragma once
 
 #include <map>
@@ -16,13 +16,14 @@ namespace bankshot::planning::propose {
 
 class Falls {
  public:
-  /// All must outlive it.
+  /// The arguments must outlive this.
   Falls(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, ChainPath& path,
         std::string_view step)
       : request_(request), budget_(budget), found_(found), path_(path), step_(step) {}
 
   void remember(const Fall& fall) { falls_[fall.route].push_back(fall); }
-  /// Those first that arrived nearly as asked; none by these routes. What was remembered is forgotten.
+  /// Brings falls to the speed asked, first those that arrived nearly so. Routes in `made` are left out. Forgets all
+  /// falls.
   void bring_to_speed(const std::set<Route>& made);
 
  private:

@@ -14,7 +14,8 @@ using namespace settings::forward_map;
 
 namespace {
 
-/// m/s. No slower launch rolls as far as the nearest aim point, nor arrives as fast as asked.
+/// Returns the launch speed [m/s] below which no ball rolls as far as the nearest aim point, or arrives as fast as
+/// asked.
 double slowest_arrival(const SearchRequest& request) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const AimPoint& m : request.problem->aim_points)
@@ -57,8 +58,9 @@ void ForwardMap::run() {
     found_.candidates.insert(found_.candidates.end(), candidates_.begin(), candidates_.end());
 }
 
-/// Only the speeds around those that arrive as asked matter. They change little from one aim to the next, so begin near
-/// where they began at the neighbour, and go up until a row is too fast, down until one is too slow.
+/// Follows one aim at the speeds around those that arrive as asked; no others matter. They change little from one aim
+/// to the next, so it begins near where they began at the neighbour. It goes up until a speed is too fast, and down
+/// until one is too slow.
 ForwardMap::Column ForwardMap::column(double angle, const std::vector<double>& rows, const Column& neighbour) {
   Column out(rows.size());
   const auto first =
@@ -89,9 +91,9 @@ ForwardMap::Node ForwardMap::node(double angle, double speed) {
   return {angle, speed, forward_.route, forward_.places, place()};
 }
 
-/// Of what was followed last.
+/// Returns the place of the launch that was followed last.
 ForwardMap::Place ForwardMap::place() const {
-  // A reflex vertex sends a little less speed another way.
+  // A reflex vertex sends a slightly slower ball another way.
   if (cell_.whole || !request_.problem->boundary.unfolds()) return Place::within;
   if (forward_.passages.empty()) return forward_.rests ? Place::below : Place::within;
   bool below = true, beyond = true;
@@ -103,20 +105,20 @@ ForwardMap::Place ForwardMap::place() const {
   return below ? Place::below : beyond ? Place::beyond : Place::within;
 }
 
-/// Cells of speed to where it arrives as asked.
+/// Returns the cells of speed from here to where the ball arrives as asked.
 double ForwardMap::cells_of_speed(const Passage& p) const {
   const Linear& l = p.linear;
   if (request_.one_unknown()) return 0;
   if (!request_.stop) return -l.r[1] / l.by_speed(1) / cell_.speed;
   const double diagonal = request_.problem->boundary.diagonal;
-  // A ball rests there that is too fast.
+  // A ball that would rest outside the table is too fast.
   const double outside = -request_.problem->boundary.clearance(request_.problem->aim_points[p.aim_point].at -
                                                                Vec2d{l.r[0], l.r[1]} * diagonal);
   return outside > 0 ? -outside / (diagonal * std::hypot(l.by_speed(0), l.by_speed(1))) / cell_.speed : 0;
 }
 
-/// Keeps a node from which a turn within its cell may reach some part of the target, though perhaps
-/// not its centre, at the speed that arrives as asked.
+/// Keeps a node as a candidate if a turn within its cell may reach some part of the target, perhaps not its centre. The
+/// speed is the one that arrives as asked.
 void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
   if (!found_.shots.empty()) return;
   const Linear& l = p.linear;
@@ -147,15 +149,16 @@ void ForwardMap::between(const Node& a, const Node& b) {
   between(other, b);
 }
 
-/// A path between them is too fast as well, or ends too early to meet all the cushions.
+/// Returns whether no path between two nodes can be a shot: it is too fast as well, or ends too early to meet all the
+/// cushions.
 bool ForwardMap::hopeless(const Node& a, const Node& b) const {
   if (a.place != b.place) return false;
   const auto most = static_cast<int>(std::max(a.route.size(), b.route.size()));
   return a.place == Place::beyond || (a.place == Place::below && most + 1 < request_.cushions().min);
 }
 
-/// Just beyond where one of two neighbours stops meeting the cushion that the other does not, as far as its
-/// derivatives tell; else half way.
+/// Returns the aim at which to divide. It lies just beyond where one of two neighbours stops meeting the cushion that
+/// the other does not meet, as far as its derivatives tell; else half way.
 double ForwardMap::change(const Node& a, const Node& b) const {
   const auto differ = std::mismatch(a.route.begin(), a.route.end(), b.route.begin(), b.route.end());
   const auto m = static_cast<std::size_t>(differ.first - a.route.begin());

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Shots that count on jaws, for where none enters cleanly.
-// Method: the real path of a launch goes on through jaws, whose contacts are meetings of its route, and its derivatives
-// tell which aims beside it lead into which mouth (trace/discover.hpp). Rows of launches across a mouth that is asked
-// for are replayed. Launches into a mouth on the way are followed in the same manner, each for the aims up to its
-// neighbours, so that windows as narrow as rounding allows are seen. What drops is moved along its band, the launches
-// that fall at the same place by the same route, by Newton's method on the locked path with its jaws until the ball
-// falls as fast as asked; between two that drop, one too fast and one too slow, the aim is bisected.
-// Worked number: from 1 m a mouth is 7 degrees wide and a tip of it 2; what comes off that tip meets another mouth 1 m
-// on from bands of 0.1 degrees, and off a second tip from some of 0.003.
+// Jaw shots, for puzzles where no shot enters cleanly.
+// Method: the real path of a launch goes on through jaws, whose contacts are meetings of its route. Its derivatives
+// tell which aims beside it lead into which mouth (trace/discover.hpp). Launches across a mouth that is asked for are
+// replayed. Launches into a mouth on the way are followed in the same manner, each for the aims up to its neighbours.
+// So windows as narrow as rounding allows are seen. A launch that drops is moved within its window: the launches that
+// fall at the same place by the same route. Newton's method on the locked path with its jaws moves it until the ball
+// falls as fast as asked. Between two launches that drop, one too fast and one too slow, the aim is bisected.
+// Worked number: from 1 m a mouth is 7 degrees wide and a tip of it 2. A ball that comes off that tip meets another
+// mouth 1 m on from windows of 0.1 degrees, and off a second tip from some of 0.003.
 // Cost: a simulation a cell, one for each quarter of a radius across each mouth that it looks into, and so on from
-// those that meet its jaws: where the speed is free 5,000 with no mouth on the way, 15,000 to 45,000 with one.
-// Guarantee: none; bands are missed where the path bends within a row more than its derivatives tell.
+// those that meet its jaws. If the speed is free that is some thousands with no mouth on the way, and several times as
+// many with one.
+// Guarantee: none; windows are missed where the path bends between two launches more than its derivatives tell.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,7 +44,7 @@ class JawShots {
         found_(found),
         mouths_(aim_points_of(PocketTarget{}, request.problem->boundary)) {}
 
-  /// Where some shots count on fewer mouths, those on more are not looked for.
+  /// Runs look after look until there is a shot. So shots by more mouths are searched for only where fewer give none.
   void run() {
     for (const Look& look : looks)
       if (found_.shots.empty() && !done()) all_round(look);
@@ -64,19 +65,19 @@ class JawShots {
         look_into_mouths({{speed, aims.low + half * (2 * i + 1)}, half, look.on_the_way});
   }
 
-  /// One is enough where it shows the shape of all paths.
+  /// Returns the launch speeds to look at. One is enough where it shows the shape of all paths.
   std::vector<double> speeds() const {
     if (request_.one_unknown()) return {request_.fixed_speed()};
     if (is_straight(request_.puzzle().physics)) return {request_.speed.high};
     return speeds_to_try(request_, look_.cell.speed);
   }
 
-  /// Launches at one speed.
+  /// Launches at one speed, around a middle aim.
   struct Beam {
     Launch middle;
     double half;            ///< rad to either side
     int on_the_way;         ///< mouths before the one that is asked for
-    std::size_t after = 0;  ///< meetings, the last of them with a jaw
+    std::size_t after = 0;  ///< number of meetings so far, the last of them with a jaw
   };
 
   void look_into_mouths(const Beam& beam) {
@@ -108,7 +109,7 @@ class JawShots {
     Range offsets;
   };
 
-  /// A row of launches on these lines, as far as the beam sees them.
+  /// Sends launches along these lines, evenly spaced, as far as the beam contains them.
   void across(const Beam& beam, const Mouth& mouth, double apart) {
     const Linear& l = mouth.passage.linear;
     const double exact = mouth.aim_point.exact_offset(mouth.passage.along, 0),
@@ -129,7 +130,7 @@ class JawShots {
       look_into_mouths({launch(i), half, beam.on_the_way - 1, mouth.passage.meetings + 1});
   }
 
-  /// From the end of one rail to that of the other, and so many radii more.
+  /// Returns the offsets from the end of one rail to that of the other, and so many radii beyond.
   Range whole(const AimPoint& aim_point, const Passage& p, double more) const {
     Range out{forever, -forever};
     for (const Circle& tip : request_.problem->boundary.jaws[static_cast<std::size_t>(aim_point.taken_by.index)].tips) {
@@ -142,7 +143,7 @@ class JawShots {
     return {out.low - more, out.high + more};
   }
 
-  /// Where a ball meets jaws: on both sides of what leads straight in.
+  /// Returns the offsets at which a ball meets jaws, on both sides of those that lead straight in.
   std::array<Range, 2> beside_opening(const AimPoint& aim_point, const Passage& p) const {
     const Range all = whole(aim_point, p, beyond);
     const Gap<double> gap = aim_point.gap(p.along, 0);
@@ -150,13 +151,13 @@ class JawShots {
     return {Range{all.low, std::min(all.high, gap.low + more)}, Range{std::max(all.low, gap.high - more), all.high}};
   }
 
-  /// After these meetings the ball may fall there.
+  /// Returns whether the ball may fall into this mouth after these meetings.
   bool may_end(std::span<const Meeting> route, const AimPoint& mouth) const {
     return bounces_of(route) >= request_.cushions().min &&
            std::ranges::count(request_.problem->aim_points, mouth.taken_by, &AimPoint::taken_by) > 0;
   }
 
-  /// It passes slower than asked, by more than a cell.
+  /// Returns whether the ball passes slower than asked, by more than a cell.
   bool too_slow(const Linear& l) const {
     return !request_.one_unknown() && request_.arrival->fixed() && -l.r[1] > look_.cell.speed * l.by_speed(1);
   }
@@ -169,7 +170,7 @@ class JawShots {
     AimPoint aim_point;
   };
 
-  /// Keeps what there is in a row of launches.
+  /// Keeps the shots among evenly spaced launches.
   template <class LaunchOf>
   void fall(int launches, const LaunchOf& launch_of) {
     std::optional<Dropped> before;
@@ -189,7 +190,7 @@ class JawShots {
                    request_.problem->nearest_aim_point(r.arrival.at)};
   }
 
-  /// Too slow: below 0.
+  /// Returns how much faster than asked the ball drops [m/s]; below 0 if it is too slow.
   double excess(const Dropped& d) const {
     if (request_.one_unknown() || (d.arrival >= request_.arrival->low && d.arrival <= request_.arrival->high)) return 0;
     const double fine = tolerance::exact_speed * std::max(1.0, request_.asked) / 4, by = d.arrival - request_.asked;
@@ -201,7 +202,7 @@ class JawShots {
            certify(request_, budget_, found_, d.launch, bounces_of(d.route), word::partition, Demand::off_centre);
   }
 
-  /// One of them is too fast, the other too slow: the aim between.
+  /// Bisects the aim between two launches that drop, if one is too fast and the other too slow.
   bool keep_between(Dropped a, Dropped b) {
     while (excess(a) * excess(b) < 0) {
       const double aim = arithmetic_mean(a.launch.angle, b.launch.angle);
@@ -213,12 +214,12 @@ class JawShots {
     return keep(a) || keep(b);
   }
 
-  /// Along its band; steps are shortened where they lead out of it.
+  /// Moves a launch within its window until it drops as fast as asked. Steps that lead out of the window are shortened.
   bool keep_along(Dropped at) {
     for (int i = 0; i < settings::most_steps && excess(at) != 0; ++i) {
       auto l = linearise({request_, at.route, at.aim_point}, budget_, at.launch);
       if (!l) return false;
-      l->r[0] = 0;  // it falls where it falls
+      l->r[0] = 0;  // the place where it falls stays as it is
       const auto step = newton_step(*l, false);
       if (!step) return false;
       const auto [turn, push] = *step;

@@ -56,8 +56,8 @@ bool is_hidden(const SearchRequest& request, const Objects::Chain& chain) {
   return !in_sight(request.puzzle().ball.at, ball, others);
 }
 
-std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain, Step starts,
-                      std::vector<Candidate> known) {
+std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain,
+                      Proposer starts, std::vector<Candidate> known) {
   const Part own = last_alone(request, chain);
   SearchRequest all(own.puzzle, Wanted::starts);
   if (hit_straight(request, chain)) all.angle = aims_of_a_hit(request, *chain.balls.front());

@@ -9,7 +9,7 @@
 namespace bankshot::planning::propose {
 namespace {
 
-/// All but these stand on the table.
+/// Returns the puzzle without the balls that are gone. `struck`: the number of the ball that is launched.
 Part without(const Puzzle& p, int struck, const std::vector<int>& gone) {
   Part out{p, {struck}};
   out.puzzle.others.clear();
@@ -21,7 +21,7 @@ Part without(const Puzzle& p, int struck, const std::vector<int>& gone) {
   return out;
 }
 
-/// To a place, at any speed that may be of use.
+/// Sets the bounds for a search to a place, at any speed that may be of use.
 void aim_at_place(Puzzle& p, const SearchRequest& whole) {
   p.arrive = Range{0, whole.speed.high};
   p.speed = {whole.speed.low * settings::slowest_of_fastest, whole.speed.high};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Parts of a shot as puzzles of their own: a chain is searched for piece by piece, and the pieces put together.
+// Parts of a shot as puzzles of their own. A chain is searched piece by piece, and the pieces are put together.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace bankshot::planning::propose {
 
-/// A puzzle of some of the balls, and which of the whole its numbers stand for.
+/// A puzzle with some of the balls, and their numbers in the whole puzzle.
 struct Part {
   Puzzle puzzle;
   std::vector<int> numbers;
@@ -19,24 +19,27 @@ struct Part {
   Route whole(const Route& route) const;
 };
 
-/// The cue ball, to a place, by these cushions. Other balls hinder no such search; a replay decides.
+/// Returns the part in which the cue ball goes to a place by these cushions. Other balls do not hinder this search; a
+/// replay decides.
 Part by_itself(const SearchRequest& whole, const CushionRule& cushions);
-/// All balls before the last, to a place: with one ball in the chain the struck one by itself.
+/// Returns the part in which all balls before the last go to a place. With one object ball in the chain, the cue ball
+/// does so by itself.
 Part before_last(const SearchRequest& whole, const Objects::Chain& chain);
-/// The last ball as if it were launched where it stands, to what is asked of it; those before it are gone.
+/// Returns the part in which the last ball is launched where it stands, to what is asked of it. The balls before it are
+/// gone.
 Part last_alone(const SearchRequest& whole, const Objects::Chain& chain);
 
-/// How a part reaches a place, which can be moved.
+/// A part that goes to a place, which can be moved.
 class ToPlace {
  public:
-  /// `pinned`: at this launch speed.
+  /// `pinned`: the launch speed to keep [m/s].
   ToPlace(const SearchRequest& whole, Part part, std::optional<double> pinned);
   ToPlace(const ToPlace&) = delete;
   ToPlace& operator=(const ToPlace&) = delete;
 
   /// Returns the request with this place; valid until the next call. A copy keeps the place.
   const SearchRequest& at(const Vec2d& place);
-  /// The same at a speed.
+  /// Returns the request with this place, at an arrival speed [m/s].
   const SearchRequest& at(const Vec2d& place, double speed);
   const Part& part() const { return part_; }
 

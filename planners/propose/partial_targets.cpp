@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where what one aims at is blocked, some part of the target may be reached beside it: around each lead the clearance
-// is climbed (widest.hpp), and where that leaves hope, rows of aims are bisected.
+// Partial targets, for an exact line that is blocked. Around each candidate the clearance is climbed (widest.hpp).
+// Where that leaves hope, aims are bisected.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,7 +17,7 @@
 namespace bankshot::planning::propose {
 namespace {
 
-/// A window around a lead, along its route, at the speed that each aim needs.
+/// Bisects a window of aims around a candidate, along its route, at the speed that each aim needs.
 bool bisect_candidate(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found,
                       const Candidate& candidate) {
   const Branch locked{request, candidate.route, candidate.aim_point};
@@ -40,7 +40,7 @@ bool bisect_candidate(const SearchRequest& request, EvaluationBudget& budget, Se
   return find_window(row, budget, aims, candidate.launch.angle, settings::aims_across);
 }
 
-/// A bisection may still find a part: the target is less than its own size away, at a speed that is allowed.
+/// Returns whether a bisection may still find a partial target: it is less than its own size away, at an allowed speed.
 bool hopeful(const SearchRequest& request, const Candidate& candidate) {
   return candidate.half > 0 && candidate.room > -candidate.aim_point.reach &&
          request.speed.contains(candidate.launch.speed);
@@ -54,7 +54,7 @@ bool alike(const Launch& a, const Launch& b) {
 }
 
 void partial_targets(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
-  if (request.starts()) return;  // its leads are what is asked for
+  if (request.starts()) return;  // candidates are what is asked for
   std::vector<Candidate> leads;
   for (Candidate& lead : std::exchange(found.candidates, {})) {
     if (!found.shots.empty() || budget.spent()) return;
@@ -66,7 +66,7 @@ void partial_targets(const SearchRequest& request, EvaluationBudget& budget, Sea
     leads.push_back(std::move(lead));
     Widest(request, budget, found, leads.back()).find();
   }
-  if (!request.problem->objects) return;  // the map of one ball sees them
+  if (!request.problem->objects) return;  // the partition of one ball sees them
   std::ranges::stable_sort(leads, std::ranges::greater{}, &Candidate::room);
   for (const Candidate& lead : leads)
     if (found.shots.empty() && !budget.spent() && hopeful(request, lead))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The steps of `auto` (docs/architecture.md lists them). methods/auto.cpp decides when each runs. A step reads the
-// request, charges the budget, and adds to the search result.
+// request, spends the budget, and adds to the search result.
 #pragma once
 
 #include <map>
@@ -18,31 +18,32 @@ using Proposer = void (*)(const SearchRequest&, EvaluationBudget&, SearchResult&
 
 void stretched_images(const SearchRequest& request, EvaluationBudget& budget,
                       SearchResult& found);  ///< stretched images, refined on the locked path
-/// All aims and speeds, in cells of this size.
+/// Searches all aims and speeds, in cells of this size.
 void partition(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Spacing& spacing);
 void along(const SearchRequest& request, EvaluationBudget& budget,
            SearchResult& found);  ///< exactly along a cushion that the ball touches
 void jaw_shots(const SearchRequest& request, EvaluationBudget& budget,
                SearchResult& found);                                                       ///< by the jaws of a pocket
-void chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);  ///< another ball is sent on
-/// The same for one arrival speed after the other: of each chain the ways of its last ball, by itself, that need no
-/// other look.
+void chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);  ///< sets object balls going
+/// The launches of each chain's last ball, by itself, that need no other search. `chains_again` runs for one arrival
+/// speed after the other, and skips these.
 using KnownLegs = std::map<const Objects::Chain*, std::vector<Candidate>>;
 void chains_again(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, KnownLegs& known);
 void caroms(const SearchRequest& request, EvaluationBudget& budget,
             SearchResult& found);  ///< off one ball onto another, followed forwards
 
-/// Cells fine enough that the map leaves nothing out where every shot is wanted.
+/// Returns the cells of a partition. Where every shot is wanted they are so fine that nothing is left out.
 Spacing usual_spacing(const SearchRequest& request);
 
-/// Launches so near each other lead to one root (settings::alike).
+/// Returns whether two launches are so near each other that they lead to one root (settings::alike).
 bool alike(const Launch& a, const Launch& b);
 
-/// Where what one aims at is blocked, some part of the target may be reached beside it: from each lead to where it has
-/// most room; with other balls then rows of aims around those that lack little. Until one is a shot.
+/// Searches for partial targets where the exact line is blocked. It goes from each candidate to the largest clearance.
+/// With object balls it then bisects aims around candidates with a clearance little below 0. It stops at the first
+/// shot.
 void partial_targets(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
-/// Chains, and caroms at more launch speeds, followed forwards: ten times the cost of `chains`.
+/// Follows chains forwards, and caroms at more launch speeds. It costs ten times as much as `chains`.
 void contact_windows(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
 }  // namespace bankshot::planning::propose

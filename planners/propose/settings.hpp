@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Settings of the steps that set other balls going; those of one ball are in planners/settings.hpp.
+// Settings of the steps that set object balls going; those of one ball are in planners/settings.hpp.
 #pragma once
 
 #include "planners/settings.hpp"
@@ -8,27 +8,29 @@
 namespace bankshot::planning::settings {
 
 namespace chains {
-/// Of the angle by which an error of aim turns an object ball, as straight lines have it: as little as it may be.
+/// Least angle by which an error of aim turns an object ball, as a share of the angle that straight lines give.
 inline constexpr double least_turned = 0.7;
-/// Of a launch speed that is given: what the ball that is sent on may get.
+/// Launch speeds tried for the object ball, as shares of the cue ball's fixed launch speed.
 inline constexpr std::array shares_of_speed{0.8, 0.5, 0.25, 0.1};
 /// Cosine of the largest cut that a seed may have.
 inline constexpr double least_cosine = 0.01;
-/// Cosine below which no arrival speed turns a ball's launch so far that it can be hit.
+/// Cosine of the angle from the line through both balls to an object ball's launch. Below it no arrival speed turns the
+/// launch so far that a straight hit gives it.
 inline constexpr double least_settled = -0.2;
-/// Where Newton's method fails from the seed, faster launches are often on its side of a fold.
+/// Factors on the launch speed of a seed. If Newton's method fails from the seed itself, another speed is often on the
+/// root's side of a fold.
 inline constexpr std::array faster_seeds{1.0, 1.2, 0.85};
 }  // namespace chains
 
 namespace contact_windows {
-/// Parts into which launch speeds divide their bounds, evenly in their logarithm: of caroms at first, and where nothing
-/// is found.
+/// Parts into which launch speeds divide their bounds, evenly in their logarithm: for caroms at first, and where
+/// nothing is found.
 inline constexpr int few_rows = 2, rows = 64;
-/// Aims around the circle, and of a band, to either side of its middle.
+/// Numbers of aims: around the circle, and to either side of the middle of a window.
 inline constexpr int fan_steps = 180, cut_steps = 12;
-/// Sine of the largest cut: where a band ends.
+/// Sine of the largest cut, at which a window ends.
 inline constexpr double widest = 0.9998;
-/// Of both ends: where a crossing is near enough for Newton's method.
+/// Value of a crossing that is near enough for Newton's method, as a share of the values at both ends.
 inline constexpr double settled = 1e-4;
 }  // namespace contact_windows
 

@@ -11,7 +11,7 @@ void partition(const SearchRequest& request, EvaluationBudget& budget, SearchRes
   ForwardMap(request, budget, found, spacing).run();
 }
 
-/// Paths with more bounces bend the map more.
+/// Paths with more bounces bend more within a cell.
 Spacing usual_spacing(const SearchRequest& request) {
   using namespace settings::forward_map;
   const double finer = static_cast<double>(plain_bounces) / std::max(plain_bounces, request.cushions().max);

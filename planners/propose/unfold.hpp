@@ -5,16 +5,16 @@
 //
 // A cushion with restitution e maps velocities linearly: it multiplies the normal part by −e. Its inverse, applied to
 // the plane beyond the cushion's line, is an affine map that fixes the line: x -> x − (1 + 1/e)(n·x − d) n. Composed
-// along a sequence, these maps send every leg of a `rolling` or `ideal` path onto one straight line, on any polygon.
-// With e = 1 it is the mirror, with e < 1 the stretched image (on rectangles the closed form that is linear in the
-// tangent of the aim).
+// along a route, these maps send every leg of a `rolling` or `ideal` path onto one straight line, on any polygon. With
+// e = 1 it is the mirror, with e < 1 the stretched image (on rectangles the closed form that is linear in the tangent
+// of the aim).
 //
-// Method: best-first over cushion sequences, nearest window first. A sequence is kept only while a ray from the ball
-// can pass all its windows (unfolded cushions), so only sequences that can occur are visited. On rectangles with e = 1
-// the images form a lattice and need no tree.
+// Method: best-first over routes, nearest window first. A route is kept only while a ray from the ball can pass all its
+// windows (unfolded cushions), so only routes that can occur are visited. On rectangles with e = 1 the images form a
+// lattice and need no tree.
 // Cost: about one cross product per window.
-// Guarantee: on a table without reflex vertices no sequence that occurs is skipped. If an edge hides another,
-// candidates may be false (the replay decides).
+// Guarantee: on a table without reflex vertices no route that occurs is skipped. If an edge hides another, candidates
+// may be false (the replay decides).
 // Source: the image method; beam tracing (Heckbert & Hanrahan 1984).
 #pragma once
 
@@ -37,7 +37,7 @@ struct Image {
   double low = 0;             ///< rad beside `angle`: the aims at which a ray that passes the cushions
   double high = 0;            ///< may reach any part of the target; low = high = 0 if none may
   std::size_t aim_point = 0;  ///< index of the problem's aim point
-  int node = -1;              ///< index of the node with its sequence; -1 in a lattice
+  int node = -1;              ///< index of the node with its route; -1 in a lattice
   Vec2d ray{};                ///< from the ball to the image of the aim point, or of a point on its exact line
 };
 
@@ -60,9 +60,9 @@ class Unfolding {
   /// Returns the next candidate, nearest first; none when all were returned.
   std::optional<Image> next();
 
-  /// Returns false if sequences were left unvisited because there were too many.
+  /// Returns false if routes were left unvisited because there were too many.
   bool whole() const { return whole_; }
-  /// Returns the number of sequences left out because no launch within the speed bound rolls so far.
+  /// Returns the number of routes left out because no launch within the speed bound rolls so far.
   long too_long() const { return too_long_; }
   /// Returns whether distances are path lengths; then the first shot found is the shortest.
   bool shortest_first() const { return mirrors_; }

@@ -4,7 +4,7 @@
 // Method: follow a series of aims. Between two neighbours that fail for different reasons there may be a made window,
 // so bisect there; verify the middle of each window.
 // Cost: some 30 simulations for each change of reason.
-// Guarantee: none. A window between two neighbours that fail alike is not seen.
+// Guarantee: none. A window between two neighbours that fail alike is missed.
 #pragma once
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Beside a curve on which no launch is made, since something blocks the exact line all along: first where the locked
-// path has room, then where the ball falls by the jaws.
+// The search beside a curve on which no launch is made, since the exact line is blocked all along. It looks first where
+// the locked path has clearance, then where the ball falls by the jaws.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -19,7 +19,7 @@ using namespace settings::branch;
 
 namespace {
 
-/// rad that move the arrival across by the aim point's reach.
+/// Returns the turn of the aim [rad] that moves the arrival across by the aim point's reach.
 double across(const Branch& a, const Point& p) {
   return a.aim_point.reach / (p.off[0].by[aim] * a.request.problem->boundary.diagonal);
 }
@@ -28,7 +28,8 @@ double across(const Branch& a, const Point& p) {
 
 Launch BranchSearch::beside(const Launch& line, double turn) { return {line.speed, wrap_angle(line.angle + turn)}; }
 
-/// True where a launch is made: beside points of the walk, then beside points between them where room lacks little.
+/// Looks beside the points of the continuation, then beside points between them where the clearance is little below 0.
+/// Returns whether a launch is made.
 bool BranchSearch::look_beside(Curve& curve) {
   const auto look = [&] { return std::ranges::any_of(curve, [&](Tried& t) { return look_beside(t); }); };
   if (look()) return true;
@@ -49,8 +50,8 @@ bool BranchSearch::look_beside(Tried& t) {
   return look_to_one_side(t, way) || look_to_one_side(t, -way);
 }
 
-/// As long as there is more room the farther it goes, and none is lacking at the mouth. Room grows ever less steeply,
-/// being the least of several: so much as lacks is skipped.
+/// Looks to one side, as long as the clearance grows with the distance and the one at the aim point is positive. The
+/// clearance is the least of several, so it grows ever less steeply. Steps that cannot make it positive are skipped.
 bool BranchSearch::look_to_one_side(Tried& t, double way) {
   const Launch line = launch_of(t.at.x);
   double before = t.room->least();
@@ -69,7 +70,8 @@ bool BranchSearch::look_to_one_side(Tried& t, double way) {
   return false;
 }
 
-/// True where it leads as the curve does. Of launches that lead to an aim point otherwise one is enough.
+/// Keeps a shot; returns whether it leads as the curve does. Of launches that lead to an aim point otherwise one is
+/// enough.
 bool BranchSearch::keep_beside(const Launch& launch) {
   std::vector<Shot>& shots = found_.shots;
   const std::size_t known = shots.size();
@@ -83,8 +85,8 @@ bool BranchSearch::keep_beside(const Launch& launch) {
   return false;
 }
 
-/// Off its jaws, or rails beside them: for each way to fall the middles of the bands of aims, the widest first, until
-/// one is made.
+/// Searches for shots that fall by the jaws, or by rails beside them. For each order of these contacts it verifies the
+/// middles of the windows of aims, the widest first, until one is made.
 void BranchSearch::look_for_jaw_shots(const Curve& curve) {
   std::map<std::vector<Contact>, std::vector<Strip>> ways;
   for (const Tried& t : curve)
@@ -106,7 +108,7 @@ void BranchSearch::look_for_jaw_shots(const Curve& curve) {
   }
 }
 
-/// Of one point of the curve.
+/// Adds the windows of aims beside one point of the curve, by the cushions through which the ball falls.
 void BranchSearch::add_strips(const Point& p, std::map<std::vector<Contact>, std::vector<Strip>>& ways) {
   request_.spin = spin_of(p.x);
   Strip band{launch_of(p.x), request_.spin, apart_jaw_shots * across(aim_, p)};

@@ -21,14 +21,14 @@ using namespace settings::branch;
 
 namespace {
 
-/// The turn of an aim that brings it nearest to the middle of its bounds.
+/// Returns the aim, turned by whole turns to where it is nearest to the middle of its bounds.
 double near_window(double angle, const std::optional<Range>& window) {
   if (!window) return angle;
   const double middle = (window->low + window->high) / 2;
   return middle + angle_difference(wrap_angle(middle), angle);
 }
 
-/// rad: turns of the compass that never repeat.
+/// Turn of the compass after each round [rad]. Its multiples never repeat.
 constexpr double golden_turn = std::numbers::pi * (3 - 2.23606797749979);
 
 /// Returns the value to first order. Where that is not positive it returns less, which still grows with success.
@@ -119,7 +119,7 @@ double BranchSearch::merit(const Point& p) const {
     case Prefer::robust:
       break;
   }
-  return 0;  // until it is proved
+  return 0;  // known once the launch is verified
 }
 
 bool BranchSearch::is_hopeless(const Point& p) {
@@ -145,7 +145,7 @@ BranchSearch::Tried BranchSearch::attempt(const Point& p) {
   return t;
 }
 
-/// Of launches that are no shots, the one with most room is nearest to one.
+/// Gives a launch that is no shot its clearance as merit: the largest is nearest to a shot.
 BranchSearch::Tried BranchSearch::clear(Tried t) {
   if (!t.made()) t.merit = clearance(aim_, budget_, launch_of(t.at.x)).value_or(-infinite);
   return t;
@@ -172,8 +172,8 @@ BranchSearch::Tried BranchSearch::climb(Tried at) {
   return at;
 }
 
-/// Ways to try from a point: up the slope of what is preferred, where that is known; then all of a basis of the tangent
-/// space, turned each time so that no ridge hides between them.
+/// Returns the directions to try from a point. First comes the slope of what is preferred, where that is known. Then
+/// comes a basis of the tangent space, both ways, turned each time so that no ridge hides between them.
 std::vector<Vector> BranchSearch::ways(const Tried& from, double turned) const {
   Eigen::MatrixXd basis = tangents(from.at);
   std::vector<Vector> out;
@@ -236,11 +236,11 @@ void BranchSearch::keep(const Tried& t) {
 
 void tune(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   const Puzzle& p = request.puzzle();
-  // Of what is moved to its safest launch, speed and aim are chosen there.
+  // A shot that is moved to its safest launch gets its speed and aim there.
   const bool chosen_later = request.problem->safest() && request.all();
   if (p.prefer != Prefer::robust || chosen_later || is_straight(p.physics) || BranchSearch::freedom(request) == 0)
     return;
-  // First order knows little of what else may lead a carom to its second ball: the best is one of several.
+  // First order knows little of the other routes by which a carom may reach its second ball, so several are tuned.
   const std::size_t some = request.problem->carom() ? std::min(found.shots.size(), most_tuned_caroms) : 1;
   const std::span<Shot> shots = std::span(found.shots).first(request.all() ? found.shots.size() : some);
   for (Shot& shot : shots) {
@@ -248,7 +248,7 @@ void tune(const SearchRequest& request, EvaluationBudget& budget, SearchResult& 
     if (!shot.verification.off_centre) shot = BranchSearch(request, budget, found, candidate).tuned(shot);
   }
   if (!request.all()) return order_by_value(shots);
-  // Two that were tuned into one lay on one curve.
+  // Two shots that were tuned into one lay on one curve.
   std::vector<Shot> distinct;
   for (Shot& shot : found.shots) {
     const auto same = [&](const Shot& known) { return known.spin == shot.spin && same_shot(request, known, shot); };

@@ -2,16 +2,19 @@
 //
 // A search of one branch: all launches along one route that meet one aim point, where arrival speed or spin is free.
 //   corrected      the point of the branch nearest to a launch: Newton's method of least change, inside bounds
-//   curve_through  continuation where one thing is free: steps along the curve, both ways, to where the arrival speed
-//                  or the spin ends. The replay judges the steps afterwards, since only parts of a curve may be shots
+//   curve_through  continuation where one quantity is free: steps along the curve, both ways, until the arrival speed
+//                  or the spin ends. The replay judges the steps afterwards: only parts of a curve may be shots
 //   climb          where more is free, a compass search over the tangent space to a best shot by `prefer`
-//   beside         launches beside a curve, where another ball may drop and no point of the curve is made: those that
-//                  fall by the jaws; where every shot is wanted, first those that fall straight, also between points
+//   beside         launches beside a curve, where an object ball is to drop and no point of the curve is made: those
+//                  that fall by the jaws. Where every shot is wanted, first those that fall straight, also between
+//                  points
 // A best shot lies inside, at a bound, or where a cushion's end or a pocket cuts the branch; there the edge is
-// bisected. Cost: three simulations a point; some 15 points a curve, 60 a surface. Guarantee: what is kept is verified;
-// that nothing better exists is measured (tests/stress), not proved. Source: the corrector is Gauss's and Newton's with
-// the least norm (Allgower & Georg, Introduction to Numerical Continuation Methods, SIAM 2003, eq. 3.2.2); the compass
-// search is that of Kolda, Lewis & Torczon, SIAM Review 45, 2003, algorithm 3.2, on the tangent space.
+// bisected.
+// Cost: three simulations a point; some 15 points a curve, 60 a surface. Guarantee: every shot that is kept is
+// verified. Nothing certifies that no better one exists; tests/stress measures it. Source: the corrector is Gauss's and
+// Newton's with the least norm (Allgower & Georg, Introduction to Numerical Continuation Methods, SIAM 2003, eq.
+// 3.2.2). The compass search is that of Kolda, Lewis & Torczon, SIAM Review 45, 2003, algorithm 3.2, on the tangent
+// space.
 #pragma once
 
 #include <array>
@@ -30,51 +33,52 @@
 
 namespace bankshot::planning::branch {
 
-/// What a launch may be.
+/// Bounds on the coordinates of a launch.
 struct Box {
   Vector low, high;
   bool free(int i) const { return low[i] < high[i]; }
 };
 
-/// The question's bounds; a spin that is fixed is where the question has it.
+/// Returns the request's bounds; a fixed spin has equal ends.
 Box box_of(const SearchRequest& request);
 
 class BranchSearch {
  public:
   BranchSearch(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, const Candidate& start);
 
-  /// A point, its proof, and what it is worth.
+  /// A point, its verification and its merit.
   struct Tried {
     Point at;
     double merit = 0;
     std::optional<Proof> proof{};
-    std::optional<Room> room{};  ///< of its locked path, where that was asked for
-    bool between = false;        ///< two points of the first walk
-    bool looked = false;         ///< beside it
-    double spare = -forever;     ///< m, the most room that was seen there; where all lacks, that first order expects
+    std::optional<Room> room{};  ///< clearances of its locked path, if they were computed
+    bool between = false;        ///< added between two points of the first continuation
+    bool looked = false;         ///< launches to either side were tried
+    double spare = -forever;  ///< m; the largest clearance found beside it; where all are negative, the one that first
+                              ///< order expects
     bool made() const { return proof && proof->holds(); }
-    /// Any shot is above what is none.
+    /// Returns whether this one is better. Any shot is better than a launch that is none.
     bool above(const Tried& o) const { return made() != o.made() ? made() : merit > o.merit; }
   };
-  /// Where at most one thing is free: keeps the best shot of each connected part (where one shot is wanted, of the best
-  /// one).
+  /// Searches a branch where at most one quantity is free. Keeps the best shot of each connected part. If only the
+  /// first shot is wanted, it keeps just that.
   void search();
 
-  /// Where more is free: the point of the branch nearest to the start, and the way up from there to a shot that is
-  /// kept.
+  /// Searches a branch where more is free. `foot` returns the point of the branch nearest to the start. `climb_from`
+  /// goes up from there to a shot and keeps it.
   std::optional<Tried> foot();
   void climb_from(const Tried& from);
 
-  /// Along the branch from a shot to where its success is largest, found by simulation: the last touch, for
-  /// the few shots that are printed.
+  /// Moves a shot along its branch to where its success is largest, found by simulation. It comes last, for the few
+  /// shots that are printed.
   Shot tuned(const Shot& shot);
 
-  /// How many things are free.
+  /// Returns the number of free quantities.
   static int freedom(const SearchRequest& request);
 
  private:
   using Curve = std::vector<Tried>;
-  /// Two that say where it passes at most, and one of its speed.
+  /// The equations of a point: at most two for where it passes, and one for its speed.
   struct Equations {
     std::array<Value, 3> each{};
     std::size_t count = 0;
@@ -82,19 +86,19 @@ class BranchSearch {
     std::span<const Value> all() const { return std::span(each).first(count); }
   };
 
-  /// What must be 0; `at_bound` once the arrival speed was at an end of its range, and then stays there.
+  /// Returns what must be 0. `at_bound` is set once the arrival speed is at an end of its range, where it then stays.
   Equations equations(const Point& p, bool& at_bound) const;
-  /// `held`: a coordinate that stays as it is. `tolerance`, in scales: of the last step, after which what is left is
-  /// about its square.
+  /// Returns the point of the branch nearest to x. `held`: a coordinate that stays as it is. `tolerance`: size of the
+  /// last step, in scales; the error left is about its square.
   std::optional<Point> corrected(Vector x, const Box& box, int held = -1, double tolerance = settings::settled);
-  /// An orthonormal basis, in scales, of the changes that stay on the branch.
+  /// Returns an orthonormal basis, in scales, of the changes that stay on the branch.
   Eigen::MatrixXd tangents(const Point& p) const;
   double merit(const Point& p) const;
   bool inside(const Point& p) const;
   bool at_end(const Point& p) const;
-  /// So far from a shot that no other of its curve is one.
+  /// Returns whether a point is so far from a shot that no other of its curve is one.
   bool is_hopeless(const Point& p);
-  /// Outside the bounds on the launch speed, and farther out this way.
+  /// Returns whether a point is outside the bounds on the launch speed, and goes farther out this way.
   bool leaves_for_good(const Point& at, const Vector& way) const;
   Tried attempt(const Point& p);
   Tried attempt_where_clear(const Point& p);
@@ -107,10 +111,10 @@ class BranchSearch {
   void keep_parts(Curve& curve);
   bool is_listed(const AimPoint& aim_point, std::span<const Meeting> route, std::span<const Shot> among) const;
   bool keep_beside(const Launch& launch);
-  /// Another ball does, which jaws may let in where its exact line is blocked.
+  /// Returns whether an object ball is to drop. Jaws may let it in where its exact line is blocked.
   bool drops() const { return request_.problem->objects && start_.aim_point.drops(); }
   static Launch beside(const Launch& line, double turn);
-  /// Neighbouring aims beside a point of a curve: so many steps.
+  /// Neighbouring aims beside a point of a curve, from one step to another.
   struct Strip {
     Launch line;
     LaunchSpin spin;
@@ -134,7 +138,7 @@ class BranchSearch {
 
   void keep(const Tried& t);
 
-  SearchRequest request_;  ///< a copy, whose spin is that of the launch looked at
+  SearchRequest request_;  ///< a copy, with the spin of the launch in hand
   EvaluationBudget& budget_;
   SearchResult& found_;
   const Candidate& start_;
@@ -144,7 +148,7 @@ class BranchSearch {
   Vector scale_;
 };
 
-/// The last touch: the shots that are printed, all or the first, along their branches to where success is largest.
+/// Moves the shots that are printed, all or the first, along their branches to where success is largest.
 void tune(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
 }  // namespace bankshot::planning::branch

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Continuation along a branch that is a curve: steps both ways, to where what is free ends or the curve leaves the
-// bounds for good; then, of what the replay made of the points, the best of each part that is made.
+// Continuation along a branch that is a curve. It steps both ways, until the free quantity ends or the curve leaves the
+// bounds for good. Then the points are replayed, and the best of each connected part that is made is kept.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,7 +35,7 @@ void BranchSearch::extend(const Point& from, double way, Curve& out) {
     const bool ends = next && at_end(*next);
     if (ends && gone > finest * h) out.push_back({*next});
     if (ends || (next && std::abs(gone) < settings::settled))
-      return;  // the second: to rounding it was at the end before
+      return;  // no progress: to rounding it was at the end before
     if (!(pulled < h / 2)) {
       h /= 2;
       if (h < finest) return;
@@ -50,13 +50,14 @@ void BranchSearch::extend(const Point& from, double way, Curve& out) {
   }
 }
 
-/// Faster launches arrive faster, and hardly ever is that otherwise anywhere along a branch.
+/// Returns whether a curve is outside the bounds on the launch speed for good. Faster launches arrive faster, with
+/// hardly an exception along a branch.
 bool BranchSearch::leaves_for_good(const Point& at, const Vector& way) const {
   const double speed = at.x[log_speed], on = way[log_speed];
   return (speed > box_.high[log_speed] && on > 0) || (speed < box_.low[log_speed] && on < 0);
 }
 
-/// The arrival speed or a spin is at the end of its range.
+/// Returns whether the arrival speed or a spin is at the end of its range.
 bool BranchSearch::at_end(const Point& p) const {
   bool at_bound = false;
   equations(p, at_bound);
@@ -66,7 +67,7 @@ bool BranchSearch::at_end(const Point& p) const {
   return false;
 }
 
-/// Where the curve enters and leaves the bounds of aim and speed.
+/// Adds the points where the curve enters and leaves the bounds of aim and speed.
 void BranchSearch::add_crossings(Curve& curve) {
   for (const int c : {aim, log_speed})
     for (const double bound : {box_.low[c], box_.high[c]})
@@ -80,7 +81,7 @@ void BranchSearch::add_crossings(Curve& curve) {
       }
 }
 
-/// Replays cost three times as much as room.
+/// Replays a point only if its locked path has clearance: a replay costs three times as much.
 BranchSearch::Tried BranchSearch::attempt_where_clear(const Point& p) {
   const std::optional<Room> spare = inside(p) ? room(aim_, budget_, launch_of(p.x)) : std::nullopt;
   const bool clear = spare && spare->hidden == 0 && spare->least() > 0;
@@ -90,7 +91,7 @@ BranchSearch::Tried BranchSearch::attempt_where_clear(const Point& p) {
   return t;
 }
 
-/// Between two points of the walk of which one is hopeful.
+/// Adds points between two points of the continuation of which one is hopeful.
 void BranchSearch::divide(Curve& curve, const std::function<bool(const Tried&)>& is_hopeful) {
   const auto parts = [&](const Tried& a, const Tried& b) {
     const bool looked = a.between || b.between || !(inside(a.at) || inside(b.at)) || budget_.spent();
@@ -109,7 +110,8 @@ void BranchSearch::divide(Curve& curve, const std::function<bool(const Tried&)>&
   curve = std::move(finer);
 }
 
-/// Where the locked path has room, balls that move are in the way: not at all speeds, perhaps.
+/// Adds points where the locked path has clearance, or one little below 0. Balls that move may block it there, but
+/// perhaps not at all speeds.
 void BranchSearch::look_between(Curve& curve) {
   divide(curve, [&](const Tried& t) {
     return t.room && t.room->hidden == 0 && t.room->least() > -little_lack * start_.aim_point.reach;
@@ -141,22 +143,22 @@ void BranchSearch::keep_parts(Curve& curve) {
   }
 }
 
-/// The last shot on the way to a point that is none.
+/// Returns the last shot on the way to a point that is no shot.
 BranchSearch::Tried BranchSearch::edge(const Tried& inside_, const Tried& outside_) {
   Tried in = inside_, out = outside_;
-  if (request_.puzzle().prefer == Prefer::robust) return in;  // beside the edge little is made: no better place to be
+  if (request_.puzzle().prefer == Prefer::robust) return in;  // little is made beside the edge: no better place
   while (std::abs(out.merit - in.merit) > fine_merit * std::max(1.0, std::abs(in.merit)) && !budget_.spent()) {
     const auto middle = corrected((in.at.x + out.at.x) / 2, wide_);
     if (!middle) break;
     Tried t = attempt(*middle);
     const bool made = t.made();
-    if ((made ? t.merit - in.merit : out.merit - t.merit) <= 0) break;  // it turned round
+    if ((made ? t.merit - in.merit : out.merit - t.merit) <= 0) break;  // the merit turned round
     (made ? in : out) = std::move(t);
   }
   return in;
 }
 
-/// The top of the parabola through three points of a curve, where that is higher.
+/// Returns the point at the top of the parabola through three points of a curve, if that is higher.
 BranchSearch::Tried BranchSearch::peak(const Tried& low, const Tried& best, const Tried& high) {
   const double a = -(best.at.x - low.at.x).cwiseQuotient(scale_).norm(),
                b = (high.at.x - best.at.x).cwiseQuotient(scale_).norm();

@@ -15,13 +15,13 @@ using namespace settings::branch;
 
 namespace {
 
-/// What must be 0 of the squared arrival speed, of the larger of 1 m²/s² and the square asked.
+/// Returns the equation of the arrival speed: its square less the square asked, over the larger of that and 1 m²/s².
 Value speed_off(const Point& p, double square) {
   const double unit = std::max(1.0, square);
   return {(p.speed2.a - square) / unit, p.speed2.by / unit};
 }
 
-/// The least step, in scales, that solves the linear equations; not finite where they are singular.
+/// Returns the least step, in scales, that solves the linear equations; not finite where they are singular.
 Vector least_step(const Point& p, std::span<const Value> equations, std::array<bool, coordinates> fixed, const Box& box,
                   const Vector& scale) {
   const auto rows = static_cast<Eigen::Index>(equations.size());
@@ -86,7 +86,7 @@ std::optional<Point> BranchSearch::corrected(Vector x, const Box& box, int held,
     }
     const Vector step = least_step(*p, equations(*p, at_bound).all(), fixed, box, scale_);
     const double size = step.cwiseQuotient(scale_).cwiseAbs().maxCoeff();
-    if (!std::isfinite(size) || (i >= settings::patience && !(size < least))) return {};  // to and fro across a kink
+    if (!std::isfinite(size) || (i >= settings::patience && !(size < least))) return {};  // jumps across a kink
     least = std::min(least, size);
     before = x;
     x += size > longest_step ? Vector(step * (longest_step / size)) : step;

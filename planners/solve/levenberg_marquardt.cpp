@@ -22,7 +22,7 @@
 namespace bankshot::planning {
 namespace {
 
-/// As TinySolver asks for it: r and, where it is given, the Jacobian, column by column.
+/// The residual as TinySolver asks for it: r and, where it is given, the Jacobian, column by column.
 template <int N>
 struct Residual {
   using Scalar = double;
@@ -61,7 +61,7 @@ std::optional<Launch> minimise(const Branch& aim, EvaluationBudget& budget, cons
   const Residual<N> residual{aim, seed.speed, budget.work()};
   ::ceres::TinySolver<Residual<N>> solver;
   if (budget.spent()) return {};
-  // It costs one simulation, and two for each iteration.
+  // The solver costs one simulation, and two for each iteration.
   const auto affordable = (budget.left() - 1) / 2 / (1 + static_cast<long>(aim.route.size() / bounces_a_simulation));
   solver.options.max_num_iterations = static_cast<int>(std::min<long>(settings::most_steps, affordable));
   solver.options.function_tolerance = 0;

@@ -12,12 +12,12 @@ namespace {
 
 double square(double x) { return x * x; }
 
-/// What is asked of a speed that arrives so fast [m/s].
+/// Returns the arrival speed to aim for [m/s], from the one in hand.
 double wanted(const SearchRequest& request, double arrived) {
   return request.arrival->fixed() ? request.asked : std::clamp(arrived, request.arrival->low, request.arrival->high);
 }
 
-/// Whether it arrives as fast as asked, or as the launch speed lets it.
+/// Returns whether a launch arrives as fast as asked, or as the launch speed lets it.
 bool as_fast(const SearchRequest& request, double arrived) {
   if (request.one_unknown() || request.stop) return true;
   const double fine = tolerance::exact_speed * std::max(1.0, request.asked) / 4;

@@ -16,8 +16,8 @@ struct AsAsked {
   Replay replay;
 };
 
-/// From a launch on, at its aim or turned by so many rad per ln speed: by secants of the squared speeds. None where it
-/// is not made, there or on the way. A simulation a step.
+/// Moves a launch to the arrival speed asked, by secants of the squared speeds. `turn`: the change of the aim [rad] per
+/// ln speed. None where the launch is not made, there or on the way. Cost: one simulation a step.
 std::optional<AsAsked> made_as_asked(const SearchRequest& request, EvaluationBudget& budget, Launch at,
                                      double turn = 0);
 

@@ -10,10 +10,11 @@
 namespace bankshot::planning {
 namespace {
 
-/// Half way back, where a step led nowhere: also from beyond the edge of the map.
+/// Returns the launch half way between two. It takes back half of a step that led nowhere, also from where no path
+/// arrives.
 Launch half_way(const Launch& a, const Launch& b) { return {std::sqrt(a.speed * b.speed), (a.angle + b.angle) / 2}; }
 
-/// In longest steps; infinite where any part is not finite.
+/// Returns the size of a step in longest steps; infinite where a component is not finite.
 double size_of(const Step& step, const Unknowns& unknowns) {
   double size = 0;
   for (std::size_t k = 0; k < unknowns.size(); ++k) {

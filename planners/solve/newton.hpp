@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Newton's method on the locked path: the one root finder of every step.
-// Steps are cut to the longest of each unknown; where the derivatives jump, those that do not come nearer are halved.
-// Cost: about five simulations from an image. Guarantee: none; what it finds is proved by a replay.
+// Newton's method on the locked path: the one root finder of every step. Steps are cut to the longest of each unknown.
+// Where the derivatives jump, steps that do not come nearer are halved.
+// Cost: about five simulations from an image. Guarantee: none; what it finds is verified by a replay.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ enum class NewtonStatus {
   left,      ///< too far from where it started
   astray,    ///< too many steps came no nearer
   singular,  ///< no step exists, or the path never gets to its last leg
-  known      ///< whoever asked knew where it leads
+  known      ///< the caller knows the root to which it goes
 };
 
 struct NewtonResult {
@@ -26,13 +26,14 @@ struct NewtonResult {
   explicit operator bool() const { return status == NewtonStatus::converged; }
 };
 
-/// Asked after each step where it led, how long it was, in longest steps, and what it followed: true to give up.
+/// Called after each step with the new launch, the length of the step in longest steps, and the residuals that gave it.
+/// Returns true to give up.
 using Known = std::function<bool(const Launch&, double size, const Linear&)>;
 
 NewtonResult newton(const Branch& aim, EvaluationBudget& budget, const Launch& from, const Unknowns& unknowns,
                     const Known& known = {});
 
-/// The same inside a neighbourhood of where it starts.
+/// Runs Newton's method inside a neighbourhood of its start.
 inline NewtonResult newton(const Branch& aim, EvaluationBudget& budget, const Launch& from, const Neighbourhood& near,
                            const Known& known = {}) {
   return newton(aim, budget, from, unknowns_of(aim.request, near), known);
@@ -41,7 +42,7 @@ inline NewtonResult newton(const Branch& aim, EvaluationBudget& budget, const La
 /// A change of each unknown.
 using Step = std::array<double, most_unknowns>;
 
-/// To the root of the linear system; none where it is singular.
+/// Returns the step to the root of the linear system; none where it is singular.
 std::optional<Step> newton_step(const Linear& l, bool one_unknown);
 
 }  // namespace bankshot::planning

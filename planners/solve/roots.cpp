@@ -26,14 +26,15 @@ void Roots::visit(const Branch& aim, const Launch& node, const Linear& linear) {
   const auto give_up = [&](const Launch& at, double size, const Linear& there) {
     if (size < near && known(aim, at, 2 * size)) return true;
     if (every_root_ || !hopeless(aim, at, size, there)) return false;
-    // No other node need lead there.
+    // No other node needs to lead there.
     if (size < near) remember(aim, at, there.determinant(request_.one_unknown()));
     return true;
   };
   if (const auto root = newton(aim, budget_, predicted, cell_, give_up)) add(aim, root.launch);
 }
 
-/// Two roots of a route nearly always lie on the two sides of a fold: a node leads to the one on its own side.
+/// Returns whether a known root lies on this node's side of a fold. Two roots of a route nearly always lie on the two
+/// sides of a fold, and a node leads to the one on its own side.
 bool Roots::on_side_of_known(const Branch& aim, const Linear& node) {
   const bool one_unknown = request_.one_unknown();
   for (Root& root : roots_) {
@@ -47,8 +48,8 @@ bool Roots::on_side_of_known(const Branch& aim, const Linear& node) {
   return false;
 }
 
-/// Better shots are wanted than one that is known, and the root so many cells from here leads to none, as far as what
-/// is seen from here can be trusted there.
+/// Returns whether only better shots than a known one are wanted, and the root so many cells from here gives none. The
+/// derivatives here tell that, as far as they can be trusted there.
 bool Roots::hopeless(const Branch& aim, const Launch& at, double cells, const Linear& linear) const {
   if (at.speed > request_.speed.high * std::exp(2 * cells * cell_.step_speed)) return true;
   const double better_there = 1 + distrust * cells;
@@ -83,7 +84,7 @@ void Roots::add(const Branch& aim, const Launch& root) {
   certify_root(aim, budget_, found_, root, word::partition);
 }
 
-/// A root of the same route and aim point lies within so many cells.
+/// Returns whether a root of the same route and aim point lies within so many cells.
 bool Roots::known(const Branch& aim, const Launch& l, double cells) const {
   return std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) {
     return std::abs(angle_difference(r.launch.angle, l.angle)) < std::max(settings::alike, cells) * cell_.step_aim &&

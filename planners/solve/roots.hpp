@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The roots that a map finds, route by route. A node of the map predicts where the root of its route lies;
-// a prediction within reach seeds Newton's method on the locked path, unless that leads to a root that is known.
-// Each root becomes a shot, or a lead. Two roots of a route lie on the two sides of a fold; a node leads to the one on
-// its own side. Where only better shots than one that is known are wanted, a search ends as soon as the derivatives
-// tell that its root is none of them.
+// The roots that a partition finds, route by route. A node of the partition predicts where the root of its route lies.
+// A prediction within reach seeds Newton's method on the locked path, unless that leads to a known root. Each root
+// becomes a shot or a candidate. Two roots of a route lie on the two sides of a fold; a node leads to the one on its
+// own side. If only shots better than a known one are wanted, a search ends as soon as the derivatives tell that its
+// root is none of them.
 #pragma once
 
 #include <algorithm>
@@ -31,22 +31,22 @@ class Roots {
         roots_.push_back({route_by(s.path.cushions), request.problem->nearest_aim_point(s.path.arrival.at), s.launch});
   }
 
-  /// A node that meets these cushions, and how it misses the aim point.
+  /// Looks for a root from a node. `aim`: the cushions that it meets, and an aim point. `linear`: how it misses that.
   void visit(const Branch& aim, const Launch& node, const Linear& linear);
 
-  /// Routes that were visited and have no root: from the node of each that came nearest.
+  /// Looks for roots of routes that were visited and have none, from the node of each that came nearest.
   void seek_rest();
 
-  /// Nothing more is looked for.
+  /// Returns whether nothing more is looked for.
   bool done() const { return stop::over(request_, budget_, found_) || stop::route_settled(request_, found_); }
 
  private:
-  /// Of one route and aim point.
+  /// A root of one route and aim point.
   struct Root {
     Route route;
     AimPoint aim_point;
     Launch launch;
-    std::optional<double> determinant{};  ///< of its derivatives, once it was asked for
+    std::optional<double> determinant{};  ///< determinant of the derivatives, once computed
   };
   template <class Place>
   static bool belongs(const Place& x, const Branch& aim) {
@@ -57,7 +57,7 @@ class Roots {
     Route route;
     AimPoint aim_point;
     Launch nearest;
-    double miss;  ///< of the residual
+    double miss;  ///< size of the residual
   };
   bool rest_wanted() const { return request_.all() || found_.shots.empty(); }
   void see(const Branch& aim, const Launch& node, double miss);
@@ -72,7 +72,7 @@ class Roots {
   const SearchRequest& request_;
   EvaluationBudget& budget_;
   SearchResult& found_;
-  Neighbourhood cell_;  ///< how far apart nodes are
+  Neighbourhood cell_;  ///< distance of neighbouring nodes
   bool every_root_;
   std::vector<Root> roots_{};
   std::vector<Seen> seen_{};

@@ -11,8 +11,8 @@
 namespace bankshot::planning {
 namespace {
 
-/// The step of ln speed to the root of the residual of speed. To stop, to the point on the line of rests nearest to the
-/// aim point: a minimum, no change of sign.
+/// Returns the step of ln speed to the root of the residual of speed. To stop, it leads to the point on the line of
+/// rests nearest to the aim point, which is a minimum and no change of sign.
 double step_of_speed(const Linear& l, bool stop) {
   if (!stop) return -l.r[1] / l.by_speed(1);
   return -(l.r[0] * l.by_speed(0) + l.r[1] * l.by_speed(1)) /
@@ -58,7 +58,8 @@ std::optional<double> speed_at(const Branch& aim, EvaluationBudget& budget, doub
   double low = slowest * slowest, high = bounds.high * bounds.high;
   const auto most = excess(high);
   if (!most || *most < 0) return {};
-  // It is nearly linear in the square of the launch speed: bounces take a share of that, rolling the same from all.
+  // The excess is nearly linear in the square of the launch speed: bounces take a share of that, rolling the same from
+  // all.
   double at = high, over = *most, slope = (over + asked + slowing * length) / high;
   while (high - low > near * high) {
     const double next = at - over / slope;

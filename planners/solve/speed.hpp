@@ -9,11 +9,11 @@
 
 namespace bankshot::planning {
 
-/// To some 2 %, of a path some `length` metres long: secants in the square of the speed, bracketed; falling short
-/// counts as too slow. None where no speed gets there. About four locked simulations.
+/// Returns the speed to some 2 %, for a path some `length` metres long. It uses bracketed secants in the square of the
+/// speed; falling short counts as too slow. None where no speed gets there. Cost: about four locked simulations.
 std::optional<double> speed_at(const Branch& aim, EvaluationBudget& budget, double angle, double length);
 
-/// Exactly, by Newton's method from a speed near it.
+/// Returns the speed exactly, by Newton's method from a speed near it.
 std::optional<double> speed_near(const Branch& aim, EvaluationBudget& budget, double angle, double guess);
 
 }  // namespace bankshot::planning

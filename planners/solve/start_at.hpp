@@ -9,7 +9,7 @@
 
 namespace bankshot::planning::branch {
 
-/// The launch with the derivatives by its first N coordinates.
+/// Returns the launch with the derivatives by its first N coordinates.
 template <int N>
 State<Dual<N>> start_at(const SearchRequest& request, const Vector& x) {
   using T = Dual<N>;

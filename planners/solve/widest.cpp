@@ -22,8 +22,8 @@ Widest::Widest(const SearchRequest& request, EvaluationBudget& budget, SearchRes
   if (!(candidate.half > 0)) candidate.half = half_window();
 }
 
-/// rad: how far the aim may turn from a root until the ball passes all of the target, its speed
-/// adapted to arrive as asked.
+/// Returns how far the aim may turn from a root [rad] until the ball passes all of the target. The speed is adapted to
+/// arrive as asked.
 double Widest::half_window() const {
   const auto l = linearise(aim_, budget_, candidate_.launch);
   if (!l) return 0;
@@ -34,7 +34,8 @@ double Widest::half_window() const {
   return half < widest_half ? half : widest_half;
 }
 
-/// Golden sections around a peak of a row, until little can be gained. `Attempt`: (aim, guess of the speed) -> Tried.
+/// Closes in on a peak of clearances by golden sections, until little can be gained. `Attempt`: (aim, guess of the
+/// speed) -> Tried.
 template <class Attempt>
 Widest::Tried Widest::highest(const Row& row, std::size_t peak, const Attempt& attempt) {
   const auto settled = [](const Tried& low, const Tried& best, const Tried& high) {
@@ -55,7 +56,7 @@ void Widest::find() {
   }
 }
 
-/// From the candidate outwards, so that each speed is near its neighbour's.
+/// Tries the aims from the candidate outwards, so that each speed is near its neighbour's.
 Widest::Row Widest::along_lead() const {
   Row row;
   row[middle] = attempt(candidate_.launch.angle, candidate_.launch.speed);
@@ -64,7 +65,7 @@ Widest::Row Widest::along_lead() const {
   return row;
 }
 
-/// Where the clearance is larger than at the neighbours, largest first.
+/// Returns the indices at which the clearance is larger than at the neighbours, largest first.
 std::vector<std::size_t> Widest::peaks_of(const Row& row) {
   std::vector<std::size_t> peaks;
   for (std::size_t i = 0; i < aims_across; ++i)
@@ -86,7 +87,7 @@ Widest::Tried Widest::at_speed(double aim, double speed) const {
 }
 
 bool Widest::shot(const Tried& t) const {
-  const double least = -10 * request_.problem->boundary.touch;  // a path through a corner has no room at all
+  const double least = -10 * request_.problem->boundary.touch;  // a path through a corner has no clearance at all
   if (!(t.value > least) || budget_.spent()) return false;
   const Launch launch{t.speed, wrap_angle(t.x)};
   const int bounces = bounces_of(aim_.route);

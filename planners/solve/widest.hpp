@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Around a lead, aims at the speeds that arrive as asked, and the clearance of each (trace/clearance.hpp): where that
-// is largest, and positive, a shot is likely and has the most room. Cost: some 100 simulations a lead.
-// Guarantee: none; what it finds is proved by a replay.
+// Finds the largest clearance around a candidate (trace/clearance.hpp), over aims at the speeds that arrive as asked.
+// Where that is positive, a shot is likely. Cost: some 100 simulations a candidate.
+// Guarantee: none; what it finds is verified by a replay.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ class Widest {
   /// Sets the candidate's `half` where it is 0.
   Widest(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, Candidate& candidate);
 
-  /// The largest clearance, which the candidate's `room` receives; it may make a shot.
+  /// Finds the largest clearance, which the candidate's `room` receives; it may make a shot.
   void find();
 
  private:

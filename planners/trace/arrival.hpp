@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a locked path arrives, and by how much it misses there, in any scalar; for the sources of this folder.
+// The arrival of a locked path and its residuals there, in any scalar type.
 #pragma once
 
 #include <optional>
@@ -26,8 +26,9 @@ std::optional<LockedArrival<T>> arrival_of(const Branch& b, const State<T>& star
   });
 }
 
-/// The squared speed, counted so that it falls evenly along a roll also where friction grows with the speed, and goes
-/// on evenly beyond the rest: twice the deceleration of a slow ball times the metres to rest [m²/s²].
+/// Returns the squared speed [m²/s²], rescaled so that it falls evenly along a roll even where friction grows with the
+/// speed. It is twice the deceleration of a slow ball times the metres to rest. Squares that are not positive stay as
+/// they are.
 template <class T>
 T even_square(const Physics& physics, const T& square) {
   using std::sqrt;
@@ -36,23 +37,23 @@ T even_square(const Physics& physics, const T& square) {
   return drag.none() || !(square > T(0)) ? square : T(drag.length(T(sqrt(square)), T(0)) * (2 * drag.constant));
 }
 
-/// The squared speed on arrival as residual [1] counts it, of a ball that moves along the unit vector u with the aim
-/// point this far off: continued below 0 where it rests before.
+/// Returns the squared arrival speed as residual [1] counts it. The ball moves along the unit vector u, and `off` leads
+/// from it to the aim point. The square is continued below 0 for a ball that rests before the aim point.
 template <class T>
 T arrival_square(const Physics& physics, const LockedArrival<T>& arrival, const Vec2<T>& u, const Vec2<T>& off) {
   if (arrival.at_rest) return T(-2 * deceleration(physics)) * dot(u, off);
   return even_square(physics, T(dot(arrival.state.velocity, arrival.state.velocity)));
 }
 
-/// How far the exact line is on the left of the ball's [m], which moves along the unit vector u with the aim point this
-/// far off.
+/// Returns how far the exact line lies to the left of the ball [m]. The ball moves along the unit vector u, and `off`
+/// leads from it to the aim point.
 template <class T>
 T beside_exact(const AimPoint& aim_point, const Vec2<T>& u, const Vec2<T>& off) {
   const T centre = cross(u, off);
   return aim_point.exact_offset(u, -value(centre)) + centre;
 }
 
-/// The N residuals of residual.hpp; false where the ball arrives with no direction.
+/// Computes the N residuals of residual.hpp. Returns false where the ball arrives with no direction.
 template <int N, class T>
 bool residuals_of(const Branch& a, const LockedArrival<T>& arrival, T* r) {
   const Vec2<T>& heading = arrival.heading;
@@ -75,7 +76,7 @@ bool residuals_of(const Branch& a, const LockedArrival<T>& arrival, T* r) {
   return true;
 }
 
-/// The values and derivatives of N dual residuals of an arrival at this time.
+/// Returns the values and derivatives of N dual residuals of an arrival at this time.
 template <int N, class Dual>
 Linear linear(const Dual* r, double time) {
   Linear out;

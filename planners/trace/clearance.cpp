@@ -26,7 +26,7 @@ class Clearance {
     const auto keeps_from = [&](const Circle& c) {
       const double near = c.radius + room_.on_the_way;
       if (near < 0 || reach.misses(c.centre, near)) return;    // something else is nearer
-      const bool inside = norm(arc.at - c.centre) < c.radius;  // such a ball must first come out
+      const bool inside = norm(arc.at - c.centre) < c.radius;  // a ball that starts inside must first come out
       if (!inside) on_the_way(norm(arc.position(detail::closest_time(arc, t, c.centre)) - c.centre) - c.radius);
     };
     each_in_the_way(aim_.request.problem->boundary_of(aim_.ball(leg)), aim_.before(leg), aim_.next(leg),

@@ -14,7 +14,7 @@ namespace {
 
 using Dual2 = Dual<2>;
 
-/// One path, and what it passes.
+/// Follows one path, and notes what it passes.
 class Follower {
  public:
   Follower(const SearchRequest& request, std::span<const AimPoint> aim_points, std::optional<double> near, Work& work,
@@ -42,7 +42,7 @@ class Follower {
   }
 
  private:
-  /// Returns whether what the ball has met by now is asked for, or may be on the way through jaws.
+  /// Returns whether the meetings so far are those asked for, or may lie on a path through jaws.
   bool may_arrive() const {
     return near_ || (bounces_ >= request_.cushions().min && (!request_.route || out_.route == *request_.route));
   }
@@ -62,7 +62,7 @@ class Follower {
     return as_asked;
   }
 
-  /// Adds how a free leg that begins so misses each aim point.
+  /// Adds the misses of a free leg that begins in this state, one for each aim point.
   template <class Motion>
   void look(const Motion& motion, const State<Dual2>& state, double begin) {
     if (!(dot(state.velocity, state.velocity).a > 0)) return;
@@ -86,7 +86,7 @@ class Follower {
     }
   }
 
-  /// The line of travel does, of some aim that is as near as asked.
+  /// Returns whether the line of travel leads into a mouth, for some aim within `near_` of this one.
   bool leads_near(const AimPoint& aim_point, const State<Dual2>& state) const {
     const Vec2<Dual2> off = to<Dual2>(aim_point.at) - state.at, u = state.velocity / norm(state.velocity);
     const Dual2 lateral = cross(u, off);
@@ -96,7 +96,7 @@ class Follower {
 
   const SearchRequest& request_;
   std::span<const AimPoint> aim_points_;
-  std::optional<double> near_;  ///< rad, of the aims that may lead into a mouth through jaws; none: jaws end the path
+  std::optional<double> near_;  ///< rad; range of aims that may lead into a mouth through jaws; none: jaws end the path
   Work& work_;
   Discovery& out_;
   int bounces_ = 0;

@@ -12,7 +12,7 @@
 namespace bankshot::planning {
 namespace {
 
-/// Cushions that a ball may still meet.
+/// Returns how many cushions the last ball may still meet.
 std::size_t cushions_left(const Branch& aim) {
   const Then* const then = aim.request.problem->then();
   const int most = then ? aim.request.object_cushions.max : aim.request.cushions().max;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// How the last ball of a route falls as on the real table once the locked path has led it past its last meeting:
-// nothing else moves any more, and jaws and rails may turn it. Cost: one simulation of one ball; a replay of all balls
-// costs ten times as much and decides.
+// `falls_by` plays the last ball of a route on the real table, once the locked path has led it past its last meeting.
+// Nothing else moves any more, and jaws and rails may turn it. Cost: one simulation of one ball. A replay of all balls
+// costs much more, and decides.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace bankshot::planning {
 
-/// The further cushions, in order, by which it falls into its aim point; none where it does not.
+/// Returns the further cushions, in order, by which the ball falls into its aim point; none where it does not fall.
 std::optional<std::vector<Contact>> falls_by(const Branch& aim, EvaluationBudget& budget, const Launch& launch);
 
 }  // namespace bankshot::planning

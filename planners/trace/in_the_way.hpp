@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a leg of a locked path, which sees cushions only, must keep from.
+// The obstacles that a leg of a locked path must not touch. The locked path itself sees cushions only.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 
 namespace bankshot::planning {
 
-/// What is round and must not be touched between two meetings of a ball: `f(circle)` of each. `before`: of the route,
-/// the meetings so far. `next`: none on the last leg, which ends at the pocket or ball that takes it.
+/// Calls `f(circle)` for each round obstacle between two meetings of a ball. `before`: the meetings of the route so
+/// far. `next`: the meeting that ends the leg; none on the last leg, which ends at the pocket or ball that takes it.
 template <class F>
 void each_in_the_way(const Boundary& boundary, std::span<const Meeting> before, Contact next, Contact taken_by, F&& f) {
   const Contact end = next ? next : taken_by, last = before.empty() ? Contact{} : before.back().with;
-  // A ball that was touched stands there no more.
+  // A ball that was touched has left its place.
   const auto gone = [&](Contact ball) { return std::ranges::count(before, ball, &Meeting::with) > 0; };
   for (const Circle& pocket : boundary.pockets)
     if (pocket.contact != end) f(pocket);

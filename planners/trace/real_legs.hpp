@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The real path of one ball, leg by leg: what `discover` and the steps that look through other balls follow.
+// Follows the real path of one ball, leg by leg, for `discover` and the steps that look through other balls.
 #pragma once
 
 #include <type_traits>
@@ -11,9 +11,9 @@
 
 namespace bankshot::planning {
 
-/// Follows the ball of a simulator. A leg ends with a meeting, or where the path ends by itself; a slide that ends does
-/// not end it. `begins()` is asked before each leg, and `ends(event)` after it: false ends the path. `watch` sees each
-/// arc, and the parameter up to which it was followed. The work is added to `work`.
+/// Follows the ball of a simulator. A leg ends with a meeting, or where the path ends by itself. A slide that turns
+/// into a roll does not end it. `begins()` is asked before each leg, and `ends(event)` after it; false ends the path.
+/// `watch` sees each arc, and the parameter up to which it was followed. The work is added to `work`.
 template <class Simulator, class Begins, class Ends, class Watch = Unwatched>
 void each_leg(Simulator& sim, Work& work, Begins&& begins, Ends&& ends, Watch&& watch = {}) {
   const auto never = std::decay_t<decltype(sim.time())>(forever);

@@ -49,19 +49,19 @@ struct Linear {
   double by_aim(std::size_t k) const { return by[k][0]; }
   double by_speed(std::size_t k) const { return by[k][1]; }
   double size() const { return std::hypot(r[0], r[1]); }
-  /// Its sign changes across a fold of the map.
+  /// Returns a number whose sign changes across a fold of the map.
   double determinant(bool one_unknown) const {
     return one_unknown ? by[0][0] : by[0][0] * by[1][1] - by[1][0] * by[0][1];
   }
 };
 
-/// One locked simulation with dual numbers; none where the path never gets to its last leg, or the budget is spent.
-/// Roughly: impacts are integrated no more finely than a seed needs.
+/// Simulates a locked path once with dual numbers; none where the path never gets to its last leg, or the budget is
+/// spent. `roughly`: impacts are integrated no more finely than a seed needs.
 std::optional<Linear> linearise(const Branch& aim, EvaluationBudget& budget, const Launch& launch,
                                 bool roughly = false);
 
-/// By how much the squared speed of arrival exceeds the one asked [m²/s²], both as residual [1] counts them, at an
-/// angle and a squared launch speed. One locked simulation, no finer than a seed needs.
+/// Returns by how much the squared speed of arrival exceeds the one asked [m²/s²], both as residual [1] counts them.
+/// `square`: the squared launch speed. One locked simulation, no finer than a seed needs.
 std::optional<double> excess_speed2(const Branch& aim, EvaluationBudget& budget, double angle, double square);
 
 }  // namespace bankshot::planning

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // `trace` follows a path that is told its branch: the locked path along the branch's meetings, and then the last leg.
-// It stays smooth where the real path jumps from one branch to another. What the path says is up to its observer: the
-// residuals need nothing, clearances look at each arc.
+// It stays smooth where the real path jumps from one branch to another. An observer may look at each arc: clearances do
+// so, and the residuals need nothing.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ namespace bankshot::planning {
 
 /// The end of the last leg: the ball comes to rest, enters the circle around the point, or passes it.
 struct Destination {
-  const Body& body;  ///< of the ball that gets there
+  const Body& body;  ///< the ball that gets there
   Vec2d at;
   double capture;  ///< m, the radius of the circle; 0: there is none
   bool stop;       ///< the ball must come to rest
@@ -25,15 +25,15 @@ struct Destination {
 
 /// An observer of a traced path that looks at nothing. Legs are counted from 0; the last one ends at the destination.
 struct Unobserved {
-  /// An arc of a leg, and the parameter up to which it was followed.
+  /// Sees an arc of a leg, and the parameter up to which it was followed.
   template <class T>
   void arc(std::size_t, const Arc<T>&, const T&) const {}
-  /// The state right after the meeting that ends a leg.
+  /// Sees the state right after the meeting that ends a leg.
   template <class T>
   void met(std::size_t, const State<T>&) const {}
 };
 
-/// What becomes of a leg that does not lead to its meeting. Rounding may make one of a real path seem so.
+/// Fate of a leg that does not lead to its meeting. Rounding may make a leg of a real path look like one.
 enum class LostLeg { ends_trace, is_passed_over };
 
 template <class T>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a search may vary of a launch. To make another quantity an unknown (spin), it gets a name here, its difference
-// and its step, and its column of derivatives in planners/start.hpp; nothing else knows which quantities there are.
+// The quantities of a launch that a search may vary. To make another quantity an unknown (spin), it gets a name here,
+// its difference and its step, and its column of derivatives in planners/start.hpp. No other code knows which
+// quantities there are.
 #pragma once
 
 #include <array>
@@ -19,11 +20,11 @@ inline constexpr std::size_t most_unknowns = 2;
 
 struct Unknown {
   Quantity what;
-  double farthest;      ///< rad, or of ln speed: a search that goes farther from where it starts gives up
-  double longest_step;  ///< the same units: longer ones are cut
+  double farthest;      ///< rad, or of ln speed; a search that goes farther from its start gives up
+  double longest_step;  ///< in the same unit; longer steps are cut
 };
 
-/// One to most_unknowns of them, in the order of the derivatives' columns.
+/// A list of one to most_unknowns unknowns, in the order of the derivatives' columns.
 class Unknowns {
  public:
   void add(const Unknown& u) { list_[size_++] = u; }
@@ -37,7 +38,7 @@ class Unknowns {
   std::size_t size_ = 0;
 };
 
-/// From one launch to another.
+/// Returns the difference of a quantity from one launch to another.
 inline double difference(const Launch& from, const Launch& to, Quantity what) {
   return what == Quantity::aim ? to.angle - from.angle : std::log(to.speed / from.speed);
 }
@@ -49,7 +50,7 @@ inline void move(Launch& launch, Quantity what, double step) {
     launch.speed *= std::exp(step);
 }
 
-/// The question's unknowns, with the steps of a neighbourhood.
+/// Returns the unknowns of a request, with the steps of a neighbourhood.
 inline Unknowns unknowns_of(const SearchRequest& request, const Neighbourhood& near) {
   Unknowns out;
   out.add({Quantity::aim, near.far * near.step_aim, near.step_aim});

@@ -38,7 +38,7 @@ TiltedOf<C> varied_motion(const Physics& physics) {
   return out;
 }
 
-/// Any of its derivatives.
+/// Returns whether any derivative of x is not 0.
 template <class C>
 bool varies(const C& x) {
   for (int k = 0; k < static_cast<int>(sizeof(x.v) / sizeof(double)); ++k)
@@ -50,7 +50,7 @@ constexpr int of_ball = 6;  // velocity, spin, and the restitution at this speed
 template <template <class> class Law, class C>
 constexpr int of_impact = of_ball + static_cast<int>(count_numbers<Law<C>>());
 
-/// Bounces with derivatives by the first M of the numbers of the ball and of the law.
+/// Computes a bounce with derivatives by the first M of the numbers of the ball and of the law.
 template <int M, template <class> class Law, class C>
 void bounce_in(const Chained<Law, C>& law, const Body& body, State<C>& s, const Vec2d& away) {
   using Few = Dual<M>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The laws of a scene with coefficients that vary: dual numbers through the same simulator, so that a locked path tells
-// how far a wrong coefficient moves where it leads, and a fit which one moves it to where the ball was seen.
+// The laws of a scene with coefficients that vary: dual numbers through the same simulator. A locked path then tells
+// how far a wrong coefficient moves its end. A fit tells which coefficient moves it to where the ball was observed.
 #pragma once
 
 #include <string>
@@ -17,15 +17,15 @@
 namespace bankshot {
 namespace planning {
 
-/// A law whose impact is integrated. The impact runs quickly, with derivatives by the few numbers that it depends on;
-/// these are then chained with theirs.
+/// A law whose impact is integrated. The impact runs quickly, with derivatives by the few numbers that it depends on.
+/// The chain rule then gives the derivatives by the unknowns.
 template <template <class> class Law, class C>
 struct Chained : Law<C> {
   void bounce(const Body& body, State<C>& s, const Vec2d& away) const;
   void bounce(const Body& body, State<C>& s, const Vec2<C>& away) const { bounce(body, s, value(away)); }
 };
 
-/// The law of the registry with coefficients of type C. A custom cushion has none.
+/// The law of the registry with coefficients of type C. A custom cushion has no coefficients.
 template <class C, class Law>
 struct VariedAs {
   using type = Law;
@@ -56,21 +56,23 @@ VariedCushion<C> of_rail(const RailCushion& rail, const VariedCushion<C>& cushio
   return {std::visit([&](const auto& law) -> VariedLaw<C> { return rail.of(law); }, cushion.law)};
 }
 
-/// N: how many may vary at once.
+/// N: how many coefficients may vary at once.
 template <int N>
 struct VariedPhysics {
   using C = Dual<N>;
   explicit VariedPhysics(const Physics& physics);
 
-  /// Path in the puzzle's physics, such as "cushion.height"; with where it stands here.
+  /// A coefficient: its path in the puzzle's physics, such as "cushion.height", and the places where it stands here.
   struct Named {
     std::string name;
     std::vector<C*> at;
   };
-  /// Those that a shot with these balls and cushions may depend on. Valid as long as this stays where it is.
+  /// Returns the coefficients that a shot with these balls and cushions may depend on. They point into this object, so
+  /// they are valid as long as it stays where it is.
   std::vector<Named> coefficients(bool meets_balls);
 
-  /// `f(motion)` with the simplest type that these coefficients allow; `leaning`: also where the tilt itself varies.
+  /// Calls `f(motion)` with the simplest type that these coefficients allow. `leaning`: the table leans, or the tilt
+  /// varies.
   template <class F>
   decltype(auto) with_motion(bool leaning, F&& f) const {
     if (leaning) return f(motion);
@@ -85,7 +87,8 @@ struct VariedPhysics {
   BallBallOf<C> balls;
 };
 
-/// For the sensitivity of a shot; for the launch of a recorded one; for a launch and the coefficients of its physics.
+/// Numbers of derivatives: for the sensitivity of a shot, for the launch of a recorded shot, and for a launch with the
+/// coefficients of its physics.
 inline constexpr int one_varies = 1, launch_varies = 8, all_vary = 28;
 
 }  // namespace planning

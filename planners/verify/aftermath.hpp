@@ -26,10 +26,10 @@ Aftermath aftermath(const SearchRequest& request, EvaluationBudget& budget, cons
 /// Stores the aftermath in a shot.
 void add_aftermath(const SearchRequest& request, EvaluationBudget& budget, Shot& shot);
 
-/// The places in which a shot leaves the balls, and the cue ball's way to its own.
+/// The places in which a shot leaves the balls, and the cue ball's route to its own.
 struct Ending {
   std::vector<std::optional<Vec2d>> places{};  ///< m; of each ball, the cue ball first; none: it fell
-  Route cue{};                                 ///< what the cue ball met, in order
+  Route cue{};                                 ///< contacts of the cue ball, in order
   bool traceable = true;                       ///< it met neither jaws nor a ball that had moved
   bool rail_after_contact = false;             ///< after the first contact a ball met a cushion, or fell
   std::size_t after_balls = 0;                 ///< number of its meetings up to its last contact with a ball
@@ -41,8 +41,9 @@ struct Ending {
 /// a target without a ball. Cost: one simulation of all balls.
 Ending play_out(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch);
 
-/// Returns the ending of a launch whose replay makes the target; the cue ball's way is left out. Where the replay has
-/// the cue ball alone on its way, it goes on from there. Cost: a simulation of all balls, or of what is left of one.
+/// Returns the ending of a launch whose replay makes the target, without the cue ball's route. If only the cue ball
+/// still moves when the replay ends, the simulation goes on from there. Cost: a simulation of all balls, or of what is
+/// left of one.
 Ending ending_of(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Replay& made);
 
 /// Returns the places of all balls after one more shot, from places in which they rest; none: the ball fell, then or

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether balls hide another one.
-// Method: which ball a straight path touches first changes only at an edge of one of them, or where two are touched at
-// once. So one path between each two such directions tells of all. Cost: about 1 µs with few balls in the way.
+// Tells whether balls hide another one.
+// Method: the ball that a straight path touches first changes only at an edge of a ball, or where two are touched at
+// once. So one path between each two such directions tells of all. Cost: about 1 µs with few obstacles.
 #pragma once
 
 #include <span>

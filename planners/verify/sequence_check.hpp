@@ -10,7 +10,7 @@
 
 namespace bankshot::planning {
 
-/// Compares the bounces with a requested sequence; two at one instant match in either order.
+/// Compares the bounces with the cushions asked; two at one instant match in either order.
 class SequenceCheck {
  public:
   explicit SequenceCheck(const std::vector<Contact>* wanted) : wanted_(wanted) {}

@@ -139,7 +139,7 @@ class SetGoing {
   template <class Sim>
   bool bounces(const Event& e, const Sim& sim) {
     last_ = sim.state(on_its_way()).at;
-    // Off a cushion that it touches, in the instant in which it is hit.
+    // A bounce off a cushion that it touches, in the instant in which it is hit, does not count.
     if (!carom_ && sim.time() == began_) return false;
     if (bounces_ == asked_.max) return fail(FailureReason::extra_cushion, e.contact);
     if (!check_.accepts(bounces_, e)) return fail(FailureReason::wrong_cushion, e.contact);
