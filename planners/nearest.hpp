@@ -6,6 +6,7 @@
 // Cost: settings::nearest, some 3,500 simulations, which do not count against the budget.
 #pragma once
 
+#include "planners/evaluation_budget.hpp"
 #include "planners/search_request.hpp"
 #include "planners/search_result.hpp"
 

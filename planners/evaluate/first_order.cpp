@@ -154,10 +154,10 @@ class Path {
   void passes(const LockedArrival<Number>& a, const Vec2d& at, const Number& square) {
     // Along the line of travel nothing is missed: only the lateral part counts.
     const Vec2<Number> u = a.heading / norm(a.heading);
-    const Vec2d line{-u.y.a, u.x.a};
-    const Number lateral = cross(u, to<Number>(at) - a.state.at);
-    beside_ = std::abs(lateral.a);
-    moves({lateral * line.x, lateral * line.y});
+    const Vec2d line{-u.y.a, u.x.a};  // across it, to the left
+    const Number to_left = cross(u, a.state.at - to<Number>(at));
+    beside_ = std::abs(to_left.a);
+    moves({to_left * line.x, to_left * line.y});
     const Number offset = cross(u, a.state.at - to<Number>(aim_.aim_point.at));
     const Gap<Number> room = sides(boundary_of_arrival(), aim_.aim_point, u, offset.a);
     limits_.keep(offset - room.low);

@@ -30,7 +30,7 @@ std::vector<Shot> mapped(const Puzzle& p, const planning::Spacing& spacing) {
   const planning::SearchRequest request(p, planning::Wanted::all);
   planning::EvaluationBudget budget(budget_of(p));
   planning::SearchResult found;
-  planning::propose::map(request, budget, found, spacing);
+  planning::propose::partition(request, budget, found, spacing);
   return found.shots;
 }
 
