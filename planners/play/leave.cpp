@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -40,7 +41,6 @@ using branch::log_speed;
 struct Root {
   Branch branch;
   Vector x;
-  double slope = 0;             ///< m across the target for a radian of aim
   std::optional<Range> made{};  ///< of a pocket: the widest range of shifts that are made
 };
 
@@ -181,7 +181,6 @@ class Search {
     const auto at = branch::look(root.branch, budget_, root.x, branch::Vary::launch);
     if (!at) return;
     const double slope = at->off[0].by[aim] * request_.problem->boundary.diagonal;
-    root.slope = std::abs(slope);
     constexpr int each_way = settings::aims_across / 2;
     const double step = root.branch.aim_point.reach / each_way;
     const auto is_made = [&](int i) {
@@ -213,23 +212,10 @@ class Search {
                                   normal_below((root.made->low - shift) / deviation));
   }
 
-  /// Returns places across the target of a root: the middle, or several and the exact line where there is room for the
-  /// player's errors beside each.
-  std::vector<double> shifts_of(const Root& root) const {
-    if (!root.made) return {0};
-    const auto [low, high] = *root.made;
-    const double apart = room_for_errors * root.slope * request_.puzzle().noise.angle;
-    const int count = std::clamp(static_cast<int>((high - low) / apart), 1, most_shifts);
-    std::vector<double> out;
-    for (int i = 0; i < count; ++i) out.push_back(low + (high - low) * (i + 0.5) / count);
-    if (count > 1) out.push_back(0);
-    return out;
-  }
-
   /// Follows a root over speeds, spins and places across the target; then to the place asked for.
   void follow(const Root& root) {
     const std::size_t first = pool_.size();
-    std::vector<double> shifts = shifts_of(root);
+    std::vector<double> shifts{middle_of(root)};
     if (any_offset(root.branch)) {
       const Cuts& cuts = *root.branch.aim_point.cuts;
       for (int i = 1; i < contacts; ++i)
@@ -311,30 +297,24 @@ class Search {
         if (!at) continue;
         // Two launches that agree to 1e-6 are one.
         constexpr double apart = 1e6;
-        if (!known.insert({std::lround(at->x[aim] * apart), std::lround(at->x[log_speed] * apart)}).second) continue;
-        auto one = launched(root, at->x, start.shift);
+        if (!known.insert({std::lround((*at)[aim] * apart), std::lround((*at)[log_speed] * apart)}).second) continue;
+        auto one = launched(root, *at, start.shift);
         if (!one) continue;
-        one->promise = promise_of(*one, *at);
+        one->promise = estimated(*one) - cost_of(one->shot);
         reached.push_back(*std::move(one));
       }
     }
     std::ranges::move(reached, std::back_inserter(pool_));
   }
 
-  /// The value of a launch that rests near the place, to first order.
-  double promise_of(const Launched& one, const Placed& at) const {
-    const Noise& noise = request_.puzzle().noise;
-    const double v = one.shot.launch.speed;
-    const Vec2d a = at.by_angle * noise.angle, b = at.by_log_speed * (noise.speed_at(v) / v);
-    const double off = miss_of(one);
-    // A normal error in two directions, as if it were the same in both.
-    const double variance = (dot(a, a) + dot(b, b)) / 2, within = asked_place()->within;
-    const double stops = off > within ? 0 : variance > 0 ? 1 - std::exp(-within * within / (2 * variance)) : 1;
-    return one.shot.robustness.success_estimate * stops - cost_of(one.shot);
-  }
-
   double miss_of(const Launched& one) const {
     return bankshot::miss_of(*request_.puzzle().leave, *one.ending.cue_rests());
+  }
+
+  /// Returns the success of a launch by five plays: that the target is made, to first order, and what they leave.
+  double estimated(const Launched& one) {
+    EvaluationBudget aside(std::numeric_limits<long>::max(), budget_);
+    return likely(*one.root, one.shift, one.shot) * estimated_worth(request_, aside, worth_, one.shot, one.ending);
   }
 
   /// Returns how many of the best launches are told apart from the others where so many are enough.
@@ -382,7 +362,7 @@ class Search {
       one.success = measured(one, first_plays, best.least());
       // One play or two may be luck.
       if (*one.success > 0 && *one.success < lucky && one.value() > best.least())
-        one.success = measured(one, compared_plays);
+        one.success = measured(one, step_plays);
       best.add(one.value());
     }
   }
@@ -431,9 +411,20 @@ class Search {
     }
   }
 
-  /// Climbs from the best launches, from fewer of them with each halved step.
+  /// Climbs from the best launches by their estimates, then by plays, from fewer of them with each halved step.
   void improve() {
-    for (Launched& one : pool_) one.success = measured(one, step_plays);
+    for (Launched& best : pool_) {
+      Launched up = best;
+      up.success = estimated(up);
+      for (const double scale : {1.0, 0.5})
+        climb(up, scale, [&](Launched& one) {
+          one.success = estimated(one);
+          return one.value() > up.value();
+        });
+      best.success = measured(best, step_plays);
+      up.success = measured(up, step_plays, best.value());
+      if (up.value() > best.value()) best = std::move(up);
+    }
     double scale = 1;
     for (const std::size_t some : improved) {
       order();
@@ -475,13 +466,10 @@ class Search {
       if (known.insert(way_of(one)).second) best.push_back(std::move(one));
     }
     pool_ = std::move(best);
-    BestValues values(told_apart(improved.front()));
-    for (Launched& one : pool_) {
-      one.success = measured(one, compared_plays, values.least());
-      values.add(one.value());
-    }
-    order();
-    if (!(exact && on_place(pool_.front())) && request_.puzzle().prefer == Prefer::robust) improve();
+    if (!exact && request_.puzzle().prefer == Prefer::robust)
+      improve();
+    else
+      for (Launched& one : pool_) one.success = measured(one, judged_plays);
     order();
     if (!request_.all()) return void(pool_.erase(pool_.begin() + 1, pool_.end()));
     std::set<std::pair<Route, Route>> listed;
@@ -505,7 +493,7 @@ class Search {
       for (int k = 0; k < approach_halvings; ++k)
         climb(best, std::ldexp(1.0, -k), [&](const Launched& one) { return rank(one) < rank(best); });
     Launched& best = *std::ranges::min_element(nearest, {}, rank);
-    best.success = measured(best, first_plays);
+    best.success = measured(best, step_plays);
     pool_ = {std::move(best)};
     left_ = false;
   }

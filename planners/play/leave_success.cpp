@@ -2,9 +2,11 @@
 #include "planners/play/leave_success.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
+#include "planners/evaluate/draws.hpp"
 #include "planners/evaluate/margin.hpp"
 #include "planners/evaluate/plays.hpp"
 #include "planners/evaluate/rank.hpp"
@@ -38,7 +40,55 @@ std::optional<Spread> spread_of(const std::vector<Vec2d>& points) {
   return out;
 }
 
+/// A shot without errors, and with more and less aim and speed. None stands for a play that misses the target.
+struct Beside {
+  const Ending& exact;
+  std::array<std::optional<Ending>, 2> by_aim, by_speed;
+};
+
+double mean_worth(const LeaveWorth& worth, const Beside& plays) {
+  double sum = worth(plays.exact), count = 1;
+  for (const auto& pair : {plays.by_aim, plays.by_speed})
+    for (const auto& ending : pair)
+      if (ending) sum += worth(*ending), ++count;
+  return sum / count;
+}
+
+/// Returns how often the cue ball stops in the region asked for, if its rest moves evenly with both errors.
+double share_inside(const LeaveWorth& worth, const Beside& plays) {
+  const Vec2d at = *plays.exact.cue_rests();
+  const auto moved = [&](const std::array<std::optional<Ending>, 2>& pair, double error) -> Vec2d {
+    const auto rest = [](const std::optional<Ending>& e) { return e ? e->cue_rests() : std::nullopt; };
+    const auto more = rest(pair[0]), less = rest(pair[1]);
+    if (more && less) return (*more - *less) / (2 * error);
+    return more ? (*more - at) / error : less ? (at - *less) / error : Vec2d{};
+  };
+  const Vec2d by_aim = moved(plays.by_aim, aim_error), by_speed = moved(plays.by_speed, speed_error);
+  Draws draws(2);
+  int inside = 0;
+  for (int i = 0; i < rests_drawn; ++i) {
+    const std::vector<double>& normal = draws.next();
+    inside += *worth.is_inside(at + by_aim * normal[0] + by_speed * normal[1]);
+  }
+  return static_cast<double>(inside) / rests_drawn;
+}
+
 }  // namespace
+
+double estimated_worth(const SearchRequest& request, EvaluationBudget& budget, const LeaveWorth& worth,
+                       const Shot& shot, const Ending& exact) {
+  const SearchRequest own = request.spinning(shot.spin);
+  const auto play = [&](double by_aim, double by_speed) -> std::optional<Ending> {
+    const Launch struck{shot.launch.speed + by_speed, wrap_angle(shot.launch.angle + by_aim)};
+    if (!(struck.speed > 0)) return {};
+    const Replay r = replay_to_target(own, budget, struck, Goal::counted(own, shot));
+    return r.made ? std::optional(ending_of(own, budget, struck, r)) : std::nullopt;
+  };
+  const double turn = aim_error * own.puzzle().noise.angle,
+               push = speed_error * own.puzzle().noise.speed_at(shot.launch.speed);
+  const Beside plays{exact, {play(turn, 0), play(-turn, 0)}, {play(0, push), play(0, -push)}};
+  return worth.is_inside(*exact.cue_rests()) ? share_inside(worth, plays) : mean_worth(worth, plays);
+}
 
 double leave_success(const SearchRequest& request, EvaluationBudget& budget, const Worth& worth, const Shot& shot,
                      const Measurement& measurement, std::vector<Vec2d>* rests) {

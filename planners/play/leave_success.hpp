@@ -30,6 +30,12 @@ using Worth = std::function<double(const Ending&)>;
 double leave_success(const SearchRequest& request, EvaluationBudget& budget, const Worth& worth, const Shot& shot,
                      const Measurement& measurement, std::vector<Vec2d>* rests = nullptr);
 
+/// Returns the mean worth of what a shot leaves where it makes its target, by four plays beside it: with more and less
+/// aim and speed. `exact`: its ending without errors. If a region is asked for, it is the share of rests inside, drawn
+/// from those that the plays span.
+double estimated_worth(const SearchRequest& request, EvaluationBudget& budget, const LeaveWorth& worth,
+                       const Shot& shot, const Ending& exact);
+
 /// Computes the leave's success and spread of shots that have one, their success and margin if `robustness` is wanted,
 /// and their value.
 void rate_leaves(const SearchRequest& request, EvaluationBudget& budget, bool robustness, std::vector<Shot>& shots);

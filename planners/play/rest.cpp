@@ -130,10 +130,10 @@ TargetEquations equations_of(const Branch& a, const branch::Point& point, double
   return out;
 }
 
-std::optional<Placed> place(const Branch& a, EvaluationBudget& budget, const CuePath& cue, const Vec2d& wanted,
+std::optional<Vector> place(const Branch& a, EvaluationBudget& budget, const CuePath& cue, const Vec2d& wanted,
                             const branch::Box& box, Vector x, double shift, branch::Vary vary) {
   const double diagonal = a.request.problem->boundary.diagonal;
-  std::optional<Placed> best;
+  std::optional<Vector> best;
   double least = std::numeric_limits<double>::infinity();
   Vector before = x;
   for (int i = 0; i < most_steps && !budget.spent(); ++i) {
@@ -155,8 +155,7 @@ std::optional<Placed> place(const Branch& a, EvaluationBudget& budget, const Cue
       continue;
     }
     least = std::min(least, loss);
-    const Vec2d by_angle{(*at)[0].by[aim], (*at)[1].by[aim]}, by_log{(*at)[0].by[log_speed], (*at)[1].by[log_speed]};
-    best = Placed{x, {(*at)[0].a, (*at)[1].a}, by_angle, by_log};
+    best = x;
     if (loss < solved) return best;
     const Vector step = step_inside(target.all(), rest, box, x);
     const double size = size_of(step);

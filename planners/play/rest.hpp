@@ -40,15 +40,9 @@ struct TargetEquations {
 };
 TargetEquations equations_of(const Branch& aim, const branch::Point& point, double shift);
 
-struct Placed {
-  Vector x;
-  Vec2d rest{};                      ///< m
-  Vec2d by_angle{}, by_log_speed{};  ///< m/rad; m
-};
-
 /// Returns the launch near `x` that reaches its target, `shift` metres beside the exact line, and rests at `wanted`, or
 /// as near to it as it can.
-std::optional<Placed> place(const Branch& aim, EvaluationBudget& budget, const CuePath& cue, const Vec2d& wanted,
+std::optional<Vector> place(const Branch& aim, EvaluationBudget& budget, const CuePath& cue, const Vec2d& wanted,
                             const branch::Box& box, Vector x, double shift, branch::Vary vary);
 
 /// Returns the launch beside `x` that reaches its target, by a change of the aim, and of the speed if the target has

@@ -20,20 +20,19 @@ struct Grid {
 };
 inline constexpr Grid usual{10, 5, 3}, close{20, 9, 6};
 inline constexpr double slowest = 0.4, fastest = 6;
-/// Places across a pocket are so many deviations apart, and no more than so many are tried. On 240 layouts 5 or 7
-/// places, or 6 deviations, leave the cue ball no better.
-inline constexpr double room_for_errors = 4;
-inline constexpr int most_shifts = 3;
 /// Contact points across a ball, if any contact counts.
 inline constexpr int contacts = 15;
 /// m/s at the target, of the roots.
 inline constexpr double arrival = 1;
-/// Launches that are measured by a first look; that are compared with more plays, since luck flatters the best of many;
-/// and that climb on, with each halved step.
-inline constexpr std::size_t looked_at = 120, compared = 12;
+/// Launches that get a first look by plays; ways to play the shot that then climb by estimates; and launches that climb
+/// on by plays, with each halved step.
+inline constexpr std::size_t looked_at = 120, compared = 16;
 inline constexpr std::array<std::size_t, 3> improved{4, 2, 1};
-/// Plays of each of these measurements, of a step of the improvement, of the final choice, and of what is printed.
-inline constexpr int first_plays = 16, compared_plays = 32, step_plays = 48, judged_plays = 256, last_plays = 512;
+/// Errors of the plays of an estimate [standard deviations], and the number of rests that are drawn from those plays.
+inline constexpr double aim_error = 0.8, speed_error = 1.2;
+inline constexpr int rests_drawn = 32;
+/// Plays of a first look, of a step of the improvement, of the final choice, and of what is printed.
+inline constexpr int first_plays = 16, step_plays = 48, judged_plays = 256, last_plays = 512;
 /// Shots by the same way are alike if their ln speed differs by less.
 inline constexpr double alike_speed = 0.4;
 /// A success that nobody plays for.

@@ -4,6 +4,8 @@
 // pot of the next ball, with `against` one less that chance.
 #pragma once
 
+#include <optional>
+
 #include "planners/play/next_pot.hpp"
 #include "planners/verify/aftermath.hpp"
 
@@ -16,6 +18,8 @@ class LeaveWorth {
 
   /// From 0 to 1. A safety without a cushion after the contact breaks the rules (WPA, World Standardized Rules 6.3).
   double operator()(const Ending& ending) const;
+  /// Returns whether the cue ball stops there as asked; none if no place or region is asked for.
+  std::optional<bool> is_inside(const Vec2d& at) const;
   const NextPot& next_pot() const { return next_; }
 
  private:

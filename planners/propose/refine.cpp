@@ -38,7 +38,7 @@ void refine_images(const SearchRequest& request, EvaluationBudget& budget, Searc
       if (stop::enough_seeds(request, budget, found)) return;
       if (double aim = image->angle; request.starts() && !inside_aims(aim, request.angle)) continue;
       std::pair key{images.route(*image), image->aim_point};
-      if (!straight && settled.contains(key)) continue;
+      if (settled.contains(key)) continue;
       if (key.first.empty() && share != settings::restitution_shares.front()) continue;  // no cushion bends the path
       const Branch aim{request, key.first, request.problem->aim_points[image->aim_point]};
       if (refine_aim(aim, budget, found, image->angle, image->distance, step, find)) settled.insert(std::move(key));

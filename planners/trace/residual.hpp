@@ -3,7 +3,7 @@
 // An aim point seen along a route: the smooth system whose roots are shots.
 // Unknowns: aim [rad] and ln speed, or the aim alone where the launch speed is fixed (unknown.hpp).
 // Residuals, as many:
-//   to stop at a point   where the ball rests, less the aim point, over the diagonal
+//   to stop at a point   the aim point, less where the ball rests, over the diagonal
 //   else                 [0] the signed lateral miss at the closest approach over the diagonal (of a pocket, of its
 //                            exact line: geometry/opening.hpp),
 //                        [1] v² − s² there (at capture for a pocket) over max(1, s²); v² is continued below 0, by what
