@@ -41,6 +41,7 @@ using branch::log_speed;
 struct Root {
   Branch branch;
   Vector x;
+  double slope = 0;             ///< m across the target for a radian of aim
   std::optional<Range> made{};  ///< of a pocket: the widest range of shifts that are made
 };
 
@@ -181,6 +182,7 @@ class Search {
     const auto at = branch::look(root.branch, budget_, root.x, branch::Vary::launch);
     if (!at) return;
     const double slope = at->off[0].by[aim] * request_.problem->boundary.diagonal;
+    root.slope = std::abs(slope);
     constexpr int each_way = settings::aims_across / 2;
     const double step = root.branch.aim_point.reach / each_way;
     const auto is_made = [&](int i) {
@@ -212,10 +214,23 @@ class Search {
                                   normal_below((root.made->low - shift) / deviation));
   }
 
+  /// Returns places across the target of a root: the middle, or several and the exact line where there is room for the
+  /// player's errors beside each.
+  std::vector<double> shifts_of(const Root& root) const {
+    if (!root.made) return {0};
+    const auto [low, high] = *root.made;
+    const double apart = room_for_errors * root.slope * request_.puzzle().noise.angle;
+    const int count = std::clamp(static_cast<int>((high - low) / apart), 1, most_shifts);
+    std::vector<double> out;
+    for (int i = 0; i < count; ++i) out.push_back(low + (high - low) * (i + 0.5) / count);
+    if (count > 1) out.push_back(0);
+    return out;
+  }
+
   /// Follows a root over speeds, spins and places across the target; then to the place asked for.
   void follow(const Root& root) {
     const std::size_t first = pool_.size();
-    std::vector<double> shifts{middle_of(root)};
+    std::vector<double> shifts = shifts_of(root);
     if (any_offset(root.branch)) {
       const Cuts& cuts = *root.branch.aim_point.cuts;
       for (int i = 1; i < contacts; ++i)

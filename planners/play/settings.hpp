@@ -20,6 +20,9 @@ struct Grid {
 };
 inline constexpr Grid usual{10, 5, 3}, close{20, 9, 6};
 inline constexpr double slowest = 0.4, fastest = 6;
+/// Places across a pocket are so many deviations apart, and no more than so many are tried.
+inline constexpr double room_for_errors = 4;
+inline constexpr int most_shifts = 3;
 /// Contact points across a ball, if any contact counts.
 inline constexpr int contacts = 15;
 /// m/s at the target, of the roots.
