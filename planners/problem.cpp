@@ -143,10 +143,10 @@ Route route_of(const Shot& shot) {
     for (const Hit& hit : std::span(shot.path.hits).first(shot.path.hits.size() - 1))
       route.insert(route.begin() + hit.after, {0, Contact::ball(hit.ball)});
   int by = 0;
-  for (const ObjectBallPath& object_ball_path : shot.path.then) {
-    route.push_back({by, Contact::ball(object_ball_path.ball)});
-    by = object_ball_path.ball;
-    for (const Contact contact : object_ball_path.cushions) route.push_back({by, contact});
+  for (const ObjectBallPath& path : shot.path.then) {
+    route.push_back({by, Contact::ball(path.ball)});
+    by = path.ball;
+    for (const Contact contact : path.cushions) route.push_back({by, contact});
   }
   return route;
 }

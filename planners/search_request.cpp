@@ -63,6 +63,28 @@ SearchRequest SearchRequest::starts_at(double arrival_speed, const LaunchSpin& l
   return request;
 }
 
+std::vector<SearchRequest> SearchRequest::samples() const {
+  std::vector<double> arrivals{asked};
+  if (arrival && !arrival->fixed()) {
+    arrivals.push_back((arrival->low + arrival->high) / 2);
+    arrivals.push_back(arrival->low + arrival->high - asked);
+  }
+  // Corners first: a ball without side spin has no derivative by it, since its spin is gone at once.
+  std::vector<LaunchSpin> spins;
+  const auto add = [&](const LaunchSpin& one) {
+    if (std::ranges::find(spins, one) == spins.end()) spins.push_back(one);
+  };
+  if (const auto& r = puzzle().spin_range)
+    for (const double top : {r->top.high, r->top.low})
+      for (const double side : {r->side.low, r->side.high})
+        for (const double masse : {r->masse.low, r->masse.high}) add({top, side, masse});
+  add(spin);
+  std::vector<SearchRequest> out;
+  for (const double one_arrival : arrivals)
+    for (const LaunchSpin& one : spins) out.push_back(starts_at(one_arrival, one));
+  return out;
+}
+
 SearchRequest SearchRequest::spinning(const LaunchSpin& launch_spin) const {
   SearchRequest request = *this;
   request.spin = launch_spin;

@@ -43,6 +43,9 @@ struct SearchRequest {
   /// Returns the request for roots to start from, at this arrival speed and with this spin. They may lie outside the
   /// bounds, which hold for the branches that start there.
   SearchRequest starts_at(double arrival_speed, const LaunchSpin& launch_spin) const;
+  /// Returns the requests for roots from which branches are searched, at a few arrival speeds and spins: the ends that
+  /// are preferred first.
+  std::vector<SearchRequest> samples() const;
   /// Returns the request with another spin of the puzzle's ranges.
   SearchRequest spinning(const LaunchSpin& launch_spin) const;
   /// Returns a stage of the search, by so many cushions of the cue ball and of the last object ball.

@@ -51,8 +51,8 @@ class Way {
   struct Look {
     double at;
     bool holds = false;
-    double object_ball_path = never, back = 0;  ///< to where the first limit breaks, and back to where all hold again
-    double dip = never;                         ///< back to where a limit would break that holds here
+    double until = never, back = 0;  ///< to where the first limit breaks, and back to where all hold again
+    double dip = never;              ///< back to where a limit would break that holds here
   };
   Look look(double by) {
     Look out{by};
@@ -62,7 +62,7 @@ class Way {
     const auto limits = limits_of(aim_, l, unit, budget_.work());
     if (!limits) return out;
     out.holds = limits->hold();
-    out.object_ball_path = limits->until(towards_);
+    out.until = limits->until(towards_);
     out.back = limits->until_all_hold(-towards_);
     out.dip = limits->until(-towards_);
     return out;
@@ -72,7 +72,7 @@ class Way {
   void walk(double scale, double limit) {
     last_ = look(good_);
     while (good_ < limit) {
-      const double step = last_.object_ball_path;
+      const double step = last_.until;
       if (step <= settings::settled * good_) return void(bad_ = good_ * (1 + tolerance::margin));
       const double next = std::min({good_ + step, std::max(2 * good_, scale), limit});
       if (!(next > good_)) return void(bad_ = next);
@@ -97,7 +97,7 @@ class Way {
   /// Closes in on the end by Newton's method, between a step that is made and one that is not.
   void close_in() {
     for (int i = 0; i < settings::most_steps && bad_ - good_ > tolerance::margin * bad_; ++i) {
-      double next = last_.holds ? last_.at + last_.object_ball_path : last_.at - last_.back;
+      double next = last_.holds ? last_.at + last_.until : last_.at - last_.back;
       if (!(next > good_ && next < bad_)) next = arithmetic_mean(good_, bad_);
       const bool near = std::abs(next - last_.at) <= settings::settled * next;
       if (near) {
@@ -145,9 +145,9 @@ class Way {
     const double end = good_;
     Look before = look(0);
     // If the first look saw the end, the limits are nearly straight.
-    const int parts = aim_.request.problem->whole                              ? parts_of_chains
-                      : std::abs(before.object_ball_path - end) < nearly * end ? few_parts
-                                                                               : many_parts;
+    const int parts = aim_.request.problem->whole                   ? parts_of_chains
+                      : std::abs(before.until - end) < nearly * end ? few_parts
+                                                                    : many_parts;
     for (int k = 1; k <= parts; ++k) {
       const Look now = look(end * k / parts);
       const auto broken = k < parts && !made(now.at) ? std::optional(now.at) : look_between(before, now);
@@ -165,7 +165,7 @@ class Way {
   /// comes from both sides, as long as a tangent crosses 0 between them and the two do not meet above 0.
   std::optional<double> look_between(Look a, Look b) {
     for (int i = 0; i < settings::most_steps && a.holds && b.holds; ++i) {
-      const double gap = b.at - a.at, up = a.at + a.object_ball_path, down = b.at - b.dip;
+      const double gap = b.at - a.at, up = a.at + a.until, down = b.at - b.dip;
       const bool rises = up<b.at - nearly * gap, falls = down> a.at + nearly * gap;
       if (gap < tolerance::margin * b.at || !(rises || falls) || (rises && falls && up >= down)) break;
       // The step lies a little beyond, for the method stops before a root that it nears from inside.

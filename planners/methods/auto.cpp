@@ -72,32 +72,9 @@ void with_spin(const SearchRequest& request, EvaluationBudget& budget, SearchRes
   if (stop::nothing_yet(budget, found)) search_box(request, budget, found, word::global);
 }
 
-/// Returns the arrival speeds and spins from which branches are searched: the ends that are preferred first.
-std::vector<SearchRequest> samples_of(const SearchRequest& request) {
-  std::vector<double> arrivals{request.asked};
-  if (request.arrival && !request.arrival->fixed()) {
-    arrivals.push_back((request.arrival->low + request.arrival->high) / 2);
-    arrivals.push_back(request.arrival->low + request.arrival->high - request.asked);
-  }
-  // Corners first: a ball without side spin has no derivative by it, since its spin is gone at once.
-  std::vector<LaunchSpin> spins;
-  const auto add = [&](const LaunchSpin& spin) {
-    if (std::ranges::find(spins, spin) == spins.end()) spins.push_back(spin);
-  };
-  if (const auto& r = request.puzzle().spin_range)
-    for (const double top : {r->top.high, r->top.low})
-      for (const double side : {r->side.low, r->side.high})
-        for (const double masse : {r->masse.low, r->masse.high}) add({top, side, masse});
-  add(request.spin);
-  std::vector<SearchRequest> out;
-  for (const double asked : arrivals)
-    for (const LaunchSpin& spin : spins) out.push_back(request.starts_at(asked, spin));
-  return out;
-}
-
 /// Returns the samples at which seeds are laid. One arrival speed does for a carom, whose launches have all speeds.
 std::vector<SearchRequest> seed_samples_of(const SearchRequest& request) {
-  std::vector<SearchRequest> out = samples_of(request);
+  std::vector<SearchRequest> out = request.samples();
   if (request.problem->carom())
     std::erase_if(out, [&](const SearchRequest& sample) { return sample.asked != request.asked; });
   return out;
@@ -221,7 +198,7 @@ void along_branches(const SearchRequest& request, EvaluationBudget& budget, Sear
     keep_connected_once(request, budget, found.shots);
   }
   if (request.problem->objects) return;
-  const std::vector<SearchRequest> samples = samples_of(request);
+  const std::vector<SearchRequest> samples = request.samples();
   for (const SearchRequest& sample : samples) {
     const bool better = improvement_wanted(request, budget, found) && &sample == &samples.front();
     if (!request.all() && !better) break;
@@ -241,7 +218,7 @@ void with_freedom(const SearchRequest& request, EvaluationBudget& budget, Search
   const auto look_at = [&](const SearchRequest& one) {
     if (nothing_yet()) look(one, budget, found);
   };
-  const std::vector<SearchRequest> samples = samples_of(request);
+  const std::vector<SearchRequest> samples = request.samples();
   for (const SearchRequest& sample : samples) {
     look_at(request.spinning(sample.spin).asking(sample.asked));
     if (!request.arrival || request.arrival->fixed() || sample.asked != request.asked) continue;
@@ -280,7 +257,7 @@ void with_balls(const SearchRequest& asked, EvaluationBudget& budget, SearchResu
   if (!stop::nothing_yet(budget, found)) return keep_spare(found, std::move(spare));
   each_stage(asked, budget, found, [&](const SearchRequest& stage) {
     if (!free) return propose::contact_windows(stage, budget, found);
-    for (const SearchRequest& sample : samples_of(stage))
+    for (const SearchRequest& sample : stage.samples())
       if (stop::nothing_yet(budget, found))
         propose::contact_windows(stage.spinning(sample.spin).asking(sample.asked), budget, found);
   });

@@ -88,16 +88,14 @@ class Search {
   }
 
   void run(const Roots& roots) {
-    const bool sent = request_.problem->then() != nullptr;
-    const CushionRule &cue = request_.cue_cushions, object = sent ? request_.object_cushions : CushionRule::exactly(0);
-    if (request_.problem->carom()) {
-      look(request_, roots);
-    } else {
-      for (int n = cue.min + object.min; n <= cue.max + object.max && !over(n); ++n)
-        for (int c = std::max(cue.min, n - object.max); c <= std::min(cue.max, n - object.min); ++c) {
-          look(request_.stage(c, n - c), roots);
-          if (budget_.spent()) found_.not_searched = n;
-        }
+    {
+      // The other half of the budget is for the climbs.
+      const EvaluationBudget::Part half(budget_, 2);
+      const Range arrivals = request_.arrival.value_or(Range{arrival, arrival});
+      look_by_stages(request_.starts_at(std::clamp(arrival, arrivals.low, arrivals.high), request_.spin), roots);
+      for (const SearchRequest& sample : request_.samples())
+        if (pool_.empty() && !budget_.spent()) look_by_stages(sample, roots);
+      follow_other_spins();
     }
     if (asked_place() && std::ranges::none_of(pool_, [&](const Launched& one) { return on_place(one); })) {
       grid_ = close;
@@ -108,6 +106,18 @@ class Search {
   }
 
  private:
+  /// Looks for roots by ever more cushions, at the arrival speed and the spin of `starts`.
+  void look_by_stages(const SearchRequest& starts, const Roots& roots) {
+    const bool sent = request_.problem->then() != nullptr;
+    const CushionRule &cue = request_.cue_cushions, object = sent ? request_.object_cushions : CushionRule::exactly(0);
+    if (request_.problem->carom()) return look(request_, starts, roots);
+    for (int n = cue.min + object.min; n <= cue.max + object.max && !over(n); ++n)
+      for (int c = std::max(cue.min, n - object.max); c <= std::min(cue.max, n - object.min); ++c) {
+        look(request_.stage(c, n - c), starts, roots);
+        if (budget_.spent() && found_.not_searched < 0) found_.not_searched = n;
+      }
+  }
+
   bool safest() const { return request_.problem->safest(); }
   const LeavePlace* asked_place() const { return std::get_if<LeavePlace>(&*request_.puzzle().leave); }
   /// Returns whether any contact with the target ball counts, so that the offset there is free.
@@ -134,9 +144,8 @@ class Search {
   }
 
   /// The roots of a stage, and all that they lead to.
-  void look(const SearchRequest& stage, const Roots& roots) {
-    const Range arrivals = request_.arrival.value_or(Range{arrival, arrival});
-    SearchRequest starts = stage.starts_at(std::clamp(arrival, arrivals.low, arrivals.high), request_.spin);
+  void look(const SearchRequest& stage, const SearchRequest& sample, const Roots& roots) {
+    SearchRequest starts = stage.starts_at(sample.asked, sample.spin);
     if (!request_.all() && !pool_.empty()) starts.likelier = std::max(0.0, best_value());
     SearchResult candidates;
     roots(starts, budget_, candidates);
@@ -217,6 +226,14 @@ class Search {
   /// Returns places across the target of a root: the middle, or several and the exact line where there is room for the
   /// player's errors beside each.
   std::vector<double> shifts_of(const Root& root) const {
+    if (any_offset(root.branch)) {
+      std::vector<double> out{0};
+      const Cuts& cuts = *root.branch.aim_point.cuts;
+      for (int i = 1; i < contacts; ++i)
+        if (const double offset = cuts.low + (cuts.high - cuts.low) * i / contacts; offset != cuts.exact)
+          out.push_back(cuts.exact - offset);
+      return out;
+    }
     if (!root.made) return {0};
     const auto [low, high] = *root.made;
     const double apart = room_for_errors * root.slope * request_.puzzle().noise.angle;
@@ -230,19 +247,30 @@ class Search {
   /// Follows a root over speeds, spins and places across the target; then to the place asked for.
   void follow(const Root& root) {
     const std::size_t first = pool_.size();
-    std::vector<double> shifts = shifts_of(root);
-    if (any_offset(root.branch)) {
-      const Cuts& cuts = *root.branch.aim_point.cuts;
-      for (int i = 1; i < contacts; ++i)
-        if (const double offset = cuts.low + (cuts.high - cuts.low) * i / contacts; offset != cuts.exact)
-          shifts.push_back(cuts.exact - offset);
-    }
-    for (const double shift : shifts)
-      for (const double top : values(box_.low[branch::top], box_.high[branch::top]))
-        for (const double side : values(box_.low[branch::side], box_.high[branch::side]))
-          for (const double masse : values(box_.low[branch::masse], box_.high[branch::masse]))
-            follow_speeds(root, shift, {top, side, masse});
+    const std::vector<LaunchSpin> spins = spins_to_try();
+    // Where any contact counts there are many launches of each spin, so the other spins wait for all roots.
+    for (const LaunchSpin& spin : std::span(spins).first(any_offset(root.branch) ? 1 : spins.size()))
+      for (const double shift : shifts_of(root)) follow_speeds(root, shift, spin);
     if (asked_place()) go_to_place(root, first);
+  }
+
+  void follow_other_spins() {
+    const std::vector<LaunchSpin> spins = spins_to_try();
+    for (const LaunchSpin& spin : std::span(spins).subspan(1))
+      for (const Root& root : roots_) {
+        if (budget_.spent()) return;
+        if (!any_offset(root.branch) || !is_hopeful(root)) continue;
+        for (const double shift : shifts_of(root)) follow_speeds(root, shift, spin);
+      }
+  }
+
+  std::vector<LaunchSpin> spins_to_try() const {
+    std::vector<LaunchSpin> out;
+    for (const double top : values(box_.low[branch::top], box_.high[branch::top]))
+      for (const double side : values(box_.low[branch::side], box_.high[branch::side]))
+        for (const double masse : values(box_.low[branch::masse], box_.high[branch::masse]))
+          out.push_back({top, side, masse});
+    return out;
   }
 
   void follow_speeds(const Root& root, double shift, const LaunchSpin& spin) {
@@ -453,7 +481,7 @@ class Search {
       scale /= 2;
     }
     order();
-    pool_.resize(std::min(told_apart(improved.back()), pool_.size()));
+    pool_.resize(std::min(told_apart(improved.front()), pool_.size()));
     for (Launched& one : pool_) one.success = measured(one, judged_plays);
   }
 

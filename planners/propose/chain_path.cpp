@@ -55,14 +55,14 @@ Followed ChainPath::follow(int n, const Route& before, const Place& place, const
     const auto path = follow_locked(request_.problem->balls(), motion, cushion, before, start_of(request_, launch));
     budget_.work() += path.work;
     if (path.end != LockedEnd::complete || !(dot(path.state.velocity, path.state.velocity) > 0)) return;
-    object_ball_path(motion, cushion, n, path.state, before, place, launch, out);
+    follow_on(motion, cushion, n, path.state, before, place, launch, out);
   });
   return out;
 }
 
 template <class Motion, class Cushion>
-void ChainPath::object_ball_path(const Motion& motion, const Cushion& cushion, int n, const State<double>& sent,
-                                 const Route& before, const Place& place, const Launch& launch, Followed& out) const {
+void ChainPath::follow_on(const Motion& motion, const Cushion& cushion, int n, const State<double>& sent,
+                          const Route& before, const Place& place, const Launch& launch, Followed& out) const {
   Simulator sim(alone(n), motion, cushion, sent);
   std::vector<Contact> met;
   if (n > 0 && request_.problem->carom()) met = contacts_of(before);

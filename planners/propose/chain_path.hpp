@@ -76,8 +76,8 @@ class ChainPath {
   int least(int n) const { return request_.problem->carom() && n == 0 ? 0 : rule(n).min; }
   bool is_on(int n, const std::vector<Contact>& met) const;
   template <class Motion, class Cushion>
-  void object_ball_path(const Motion& motion, const Cushion& cushion, int n, const State<double>& sent,
-                        const Route& before, const Place& place, const Launch& launch, Followed& out) const;
+  void follow_on(const Motion& motion, const Cushion& cushion, int n, const State<double>& sent, const Route& before,
+                 const Place& place, const Launch& launch, Followed& out) const;
 
   const SearchRequest& request_;
   EvaluationBudget& budget_;

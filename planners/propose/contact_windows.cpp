@@ -91,16 +91,16 @@ class ContactWindows {
 
   /// Searches at all of these speeds, routes with few cushions first.
   void look(const std::vector<double>& speeds) {
-    std::vector<std::pair<double, Window>> bands;
+    std::vector<std::pair<double, Window>> windows;
     for (const double speed : speeds) {
       at(speed);
-      for (Window& band : to_first()) bands.emplace_back(speed, std::move(band));
+      for (Window& window : to_first()) windows.emplace_back(speed, std::move(window));
     }
-    std::ranges::stable_sort(bands, {}, [](const auto& band) { return band.second.route.size(); });
-    for (const auto& [speed, band] : bands) {
+    std::ranges::stable_sort(windows, {}, [](const auto& window) { return window.second.route.size(); });
+    for (const auto& [speed, window] : windows) {
       if (over()) return;
       at(speed);
-      object_ball_path(band);
+      follow(window);
     }
     falls_.bring_to_speed(made_);
   }
@@ -113,17 +113,17 @@ class ContactWindows {
   Launch launch(double aim) const { return {speed_, aim}; }
 
   /// Follows a window from the first ball to the aim point.
-  void object_ball_path(const Window& first) {
-    std::vector<Window> bands{first};
+  void follow(const Window& first) {
+    std::vector<Window> windows{first};
     for (int ball = 1; ball < path_.last(); ++ball) {
       std::vector<Window> next;
-      for (const Window& band : bands) touching(ball, band.route, across(band, cut_steps * finer_), next);
-      bands = std::move(next);
+      for (const Window& window : windows) touching(ball, window.route, across(window, cut_steps * finer_), next);
+      windows = std::move(next);
     }
     for (const AimPoint& aim_point : request_.problem->aim_points) {
       if (aim_point.ball != path_.number(path_.last())) continue;
-      for (const Window& band : bands)
-        if (!over()) roots(aim_point, band.route, across(band, 2 * cut_steps * finer_));
+      for (const Window& window : windows)
+        if (!over()) roots(aim_point, window.route, across(window, 2 * cut_steps * finer_));
     }
   }
 
@@ -142,9 +142,9 @@ class ContactWindows {
     return out;
   }
 
-  static std::vector<double> across(const Window& band, int each_way) {
+  static std::vector<double> across(const Window& window, int each_way) {
     std::vector<double> aims;
-    const double middle = (band.aims.low + band.aims.high) / 2, half = (band.aims.high - band.aims.low) / 2;
+    const double middle = (window.aims.low + window.aims.high) / 2, half = (window.aims.high - window.aims.low) / 2;
     for (int i = -each_way; i <= each_way; ++i)
       aims.push_back(middle + half * std::sin(std::asin(widest) * i / each_way));
     return aims;

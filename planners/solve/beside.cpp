@@ -91,15 +91,15 @@ void BranchSearch::look_for_jaw_shots(const Curve& curve) {
   std::map<std::vector<Contact>, std::vector<Strip>> ways;
   for (const Tried& t : curve)
     if (!t.between && t.room && !budget_.spent()) add_strips(t.at, ways);
-  for (auto& [by, bands] : ways) {
+  for (auto& [by, strips] : ways) {
     Route whole(aim_.route.begin(), aim_.route.end());
     for (const Contact c : by) whole.push_back({start_.aim_point.ball, c});
     const auto known = [&](const Shot& s) {
       return request_.problem->aim_point_of(s) == start_.aim_point && route_of(s) == whole;
     };
     if (std::ranges::any_of(found_.shots, known)) continue;
-    std::ranges::stable_sort(bands, std::ranges::greater{}, [](const Strip& b) { return b.last - b.first; });
-    for (const Strip& b : bands) {
+    std::ranges::stable_sort(strips, std::ranges::greater{}, [](const Strip& b) { return b.last - b.first; });
+    for (const Strip& b : strips) {
       request_.spin = b.spin;
       if (certify(request_, budget_, found_, b.middle(), bounces_of(aim_.route), word::continuation,
                   Demand::off_centre))

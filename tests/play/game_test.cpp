@@ -52,7 +52,10 @@ TEST_CASE("a game decides which ball may be potted next") {
 }
 
 TEST_CASE("a game that lacks what it needs says so") {
-  CHECK(complaint(layout(R"({"game": "eight"})")) == "/target/group: this key is required");
+  CHECK(complaint(layout(R"({"game": "eight"})")) ==
+        "/target: needs your own \"group\", \"solids\" or \"stripes\"; on an open table ask for each, and take the "
+        "better "
+        "one");
   CHECK(complaint(layout(R"({"game": "list"})")) == "/target/order: this key is required");
   CHECK_THAT(complaint(layout(R"({"game": "any", "group": "solids"})")), Catch::StartsWith("/target/group: "));
   CHECK_THAT(complaint(layout(R"({"game": "any"})", R"(, "leave": {"safe": ["2"]})")), Catch::StartsWith("/leave: "));
@@ -62,6 +65,25 @@ TEST_CASE("a game that lacks what it needs says so") {
   CHECK_THAT(complaint(R"({"table": "pool-9ft", "ball": {"at": [0.7, 0.5]}, "target": {"game": "rotation"},
     "others": [{"id": "red", "at": [1.6, 0.9]}]})"),
              Catch::StartsWith("/others/0/id: "));
+}
+
+TEST_CASE("a leave that no shot can give is refused, with its place") {
+  const auto pot = [](const char* leave) {
+    return R"({"table": "pool-9ft", "ball": {"at": [1, 0.4]}, "others": [{"id": "8", "at": [2, 0.7]}],
+      "target": {"ball": "8", "pocket": "any"}, "leave": )" +
+           std::string(leave) + "}";
+  };
+  CHECK_THAT(complaint(pot(R"({"polygon": [[3, 1], [4, 1], [4, 2]]})")), Catch::StartsWith("/leave/polygon: "));
+  CHECK_THAT(complaint(pot(R"({"for": "8"})")), Catch::StartsWith("/leave/for: "));
+}
+
+TEST_CASE("a pot by the cushion that is asked for is found in a game, where only side spin leads there") {
+  const Answer a = solve(read_puzzle(R"({"table": "pool-8ft", "cushions": ["bottom"],
+    "ball": {"at": [0.6, 0.4], "spin": {"top": [-1, 1], "side": [-0.75, 0.75]}},
+    "others": [{"id": "8", "at": [2, 0.6]}], "target": {"game": "any"}})"));
+  REQUIRE(!a.shots.empty());
+  CHECK(!a.shots[0].safety);
+  CHECK(a.shots[0].robustness.success.value_or(0) > 0.7);
 }
 
 TEST_CASE("a game is written as it is read") {

@@ -215,9 +215,9 @@ void check_stands(const Table& table, const Boundary& b, const Ball& ball, const
 /// Checks that two balls do not overlap. Touching balls are legal.
 void check_apart(const Ball& ball, const Ball& other, const std::string& path) {
   const double overlap = touching_distance(ball.body, other.body) - norm(ball.at - other.at);
-  if (overlap > tolerance::overlap)
-    fail(path,
-         fmt::format("ball \"{}\" at {} overlaps ball \"{}\" by {:.6g} m", ball.id, show(ball.at), other.id, overlap));
+  if (!(overlap > tolerance::overlap)) return;
+  fail(path, fmt::format("ball \"{}\" at {} overlaps ball \"{}\" by {:.6g} m{}", ball.id, show(ball.at), other.id,
+                         overlap, overlap <= tolerance::settled_overlap ? "; \"settle\": true moves them apart" : ""));
 }
 
 }  // namespace
