@@ -248,7 +248,7 @@ class Search {
   void follow(const Root& root) {
     const std::size_t first = pool_.size();
     const std::vector<LaunchSpin> spins = spins_to_try();
-    // Where any contact counts there are many launches of each spin, so the other spins wait for all roots.
+    // There are many launches of each spin where any contact counts, so the other spins wait for all roots.
     for (const LaunchSpin& spin : std::span(spins).first(any_offset(root.branch) ? 1 : spins.size()))
       for (const double shift : shifts_of(root)) follow_speeds(root, shift, spin);
     if (asked_place()) go_to_place(root, first);

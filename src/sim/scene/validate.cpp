@@ -160,12 +160,8 @@ void check_leave(const Puzzle& p, const Boundary& boundary) {
           std::ranges::all_of(region->vertices, [&](const Vec2d& v) { return dot(wall.normal, v) < wall.offset; }))
         fail("/leave/polygon", "lies where no cue ball can be: beyond a cushion");
   }
-  if (const auto* next = std::get_if<LeaveForNext>(&*p.leave)) {
+  if (const auto* next = std::get_if<LeaveForNext>(&*p.leave))
     check_order(p, next->order, p.game ? "/target/order" : "/leave/for");
-    const auto* const sent = std::get_if<ObjectBallTarget>(&p.target);
-    if (!p.game && sent && sent->then.links.empty() && next->order.front() == sent->balls)
-      fail("/leave/for", "names the ball that is potted; it must be one that is still on the table");
-  }
   if (const auto* against = std::get_if<LeaveAgainst>(&*p.leave)) check_order(p, against->order, "/leave/against");
   if (const auto* safe = std::get_if<LeaveSafe>(&*p.leave)) {
     if (safe->balls.empty()) fail("/leave/safe", "must name a ball");
