@@ -52,10 +52,8 @@ TEST_CASE("a game decides which ball may be potted next") {
 }
 
 TEST_CASE("a game that lacks what it needs says so") {
-  CHECK(complaint(layout(R"({"game": "eight"})")) ==
-        "/target: needs your own \"group\", \"solids\" or \"stripes\"; on an open table ask for each, and take the "
-        "better "
-        "one");
+  CHECK_THAT(complaint(layout(R"({"game": "eight"})")),
+             Catch::StartsWith("/target/group: this key is required; on an open table"));
   CHECK(complaint(layout(R"({"game": "list"})")) == "/target/order: this key is required");
   CHECK_THAT(complaint(layout(R"({"game": "any", "group": "solids"})")), Catch::StartsWith("/target/group: "));
   CHECK_THAT(complaint(layout(R"({"game": "any"})", R"(, "leave": {"safe": ["2"]})")), Catch::StartsWith("/leave: "));

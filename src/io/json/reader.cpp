@@ -151,9 +151,9 @@ std::optional<Reader> Reader::find(const std::string& key) const {
   return Reader(*it, path_ + "/" + key, *units_);
 }
 
-Reader Reader::need(const std::string& key) const {
+Reader Reader::need(const std::string& key, const std::string& advice) const {
   if (auto r = find(key)) return *r;
-  throw InvalidInput(path_ + "/" + key, "this key is required");
+  throw InvalidInput(path_ + "/" + key, "this key is required" + advice);
 }
 
 void Reader::only(const format::Object& object) const {

@@ -59,9 +59,9 @@ class Reader {
 
   const Units& units() const { return *units_; }
 
-  /// Return a member of an object. If it is missing, `find` returns none and `need` throws.
+  /// Return a member of an object. If it is missing, `find` returns none and `need` throws, with `advice`.
   std::optional<Reader> find(const std::string& key) const;
-  Reader need(const std::string& key) const;
+  Reader need(const std::string& key, const std::string& advice = "") const;
   /// Throws if there is a key that the object does not have; the message suggests the most similar one.
   void only(const format::Object& object) const;
   /// Returns the number of a required key, as `read` does.

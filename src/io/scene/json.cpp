@@ -193,11 +193,12 @@ void read_game(const Reader& r, Puzzle& p) {
   if (is_ideal(p.physics)) r.fail("needs balls that come to rest, and in ideal physics none does");
   if (game == Game::list)
     ask(p, game, read_order(r.need("order"), p.others));
-  else if (game == Game::eight && !group)
-    r.fail(
-        "needs your own \"group\", \"solids\" or \"stripes\"; on an open table ask for each, and take the better one");
   else if (game == Game::eight)
-    ask(p, game, order_of_eight(static_cast<Group>(group->word("group", format::groups)), p.others));
+    ask(p, game,
+        order_of_eight(
+            static_cast<Group>(r.need("group", "; on an open table ask for each group, and take the better shot")
+                                   .word("group", format::groups)),
+            p.others));
   else
     ask(p, game, order_of(game, p.others));
 }
