@@ -159,21 +159,8 @@ class Search {
       }
       roots_.push_back({{request_, routes_.back(), c.aim_point}, x});
       look_across(roots_.back());
-      if (is_hopeful(roots_.back())) follow(roots_.back());
+      follow(roots_.back());
     }
-  }
-
-  /// Returns whether the target may be made more often than the best shot so far leaves the cue ball as asked.
-  bool is_hopeful(const Root& root) {
-    const double best = best_value();
-    if (request_.all() || !(best > 0)) return true;
-    Proof proof = prove_at(root.x);
-    if (!proof.replayed || proof.shot.path.hits.empty()) return true;
-    const SearchRequest own = request_.spinning(branch::spin_of(root.x));
-    add_first_order(own, proof.shot, budget_.work());
-    const double estimate =
-        std::max(likely(root, middle_of(root), proof.shot), estimate_in_middle(own, proof.shot, budget_.work()));
-    return success_at_most(own, root.branch.aim_point, estimate) - cost_of_contacts(proof.shot.contacts()) > best;
   }
 
   /// Values of a free spin, those nearest to none first.
@@ -259,7 +246,7 @@ class Search {
     for (const LaunchSpin& spin : std::span(spins).subspan(1))
       for (const Root& root : roots_) {
         if (budget_.spent()) return;
-        if (!any_offset(root.branch) || !is_hopeful(root)) continue;
+        if (!any_offset(root.branch)) continue;
         for (const double shift : shifts_of(root)) follow_speeds(root, shift, spin);
       }
   }
@@ -403,9 +390,6 @@ class Search {
       ++looked;
       if (one.success) continue;
       one.success = measured(one, first_plays, best.least());
-      // One play or two may be luck.
-      if (*one.success > 0 && *one.success < lucky && one.value() > best.least())
-        one.success = measured(one, step_plays);
       best.add(one.value());
     }
   }
@@ -501,6 +485,10 @@ class Search {
     measure_promising();
     if (std::ranges::none_of(pool_, [](const Launched& one) { return one.success.value_or(0) > hopeless; }))
       return keep_nearest();
+    order();
+    // The best of many first looks are flattered by luck.
+    for (Launched& one : std::span(pool_).first(std::min(told_apart(compared), pool_.size())))
+      if (one.success) one.success = measured(one, step_plays);
     order();
     std::vector<Launched> best;
     std::set<Way> known;

@@ -42,8 +42,6 @@ inline constexpr double alike_speed = 0.4;
 inline constexpr double hopeless = 0.01;
 /// A success below which the answer says that spin would help.
 inline constexpr double likely_left = 0.2;
-/// A success after the first look that more plays must confirm.
-inline constexpr double lucky = 0.15;
 /// The compass search: first steps across the target [share of its width], of ln speed and of spin.
 inline constexpr double step_across = 0.15, step_speed = 0.12, step_spin = 0.25;
 /// If no launch stops the cue ball as asked, so many ways to play it are improved until they stop it as near as they
