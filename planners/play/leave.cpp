@@ -159,8 +159,23 @@ class Search {
       }
       roots_.push_back({{request_, routes_.back(), c.aim_point}, x});
       look_across(roots_.back());
-      follow(roots_.back());
+      if (is_hopeful(roots_.back())) follow(roots_.back());
     }
+  }
+
+  /// Returns whether some launch of a root's branch may leave the cue ball better than the best so far: whether the
+  /// root makes its target so often, to first order, or less often by what speed and spin may add.
+  bool is_hopeful(const Root& root) {
+    const double best = best_value();
+    if (request_.all() || !(best > 0)) return true;
+    Proof proof = prove_at(root.x);
+    if (!proof.replayed || proof.shot.path.hits.empty()) return true;
+    const SearchRequest own = request_.spinning(branch::spin_of(root.x));
+    add_first_order(own, proof.shot, budget_.work());
+    const double estimate =
+        std::max(likely(root, middle_of(root), proof.shot), estimate_in_middle(own, proof.shot, budget_.work()));
+    return success_at_most(own, root.branch.aim_point, estimate) + spin_adds - cost_of_contacts(proof.shot.contacts()) >
+           best;
   }
 
   /// Values of a free spin, those nearest to none first.
@@ -246,7 +261,7 @@ class Search {
     for (const LaunchSpin& spin : std::span(spins).subspan(1))
       for (const Root& root : roots_) {
         if (budget_.spent()) return;
-        if (!any_offset(root.branch)) continue;
+        if (!any_offset(root.branch) || !is_hopeful(root)) continue;
         for (const double shift : shifts_of(root)) follow_speeds(root, shift, spin);
       }
   }
