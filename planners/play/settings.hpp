@@ -32,7 +32,7 @@ inline constexpr double arrival = 1;
 inline constexpr double spin_adds = 0.3;
 /// Launches that get a first look by plays; ways to play the shot that then climb by estimates; and launches that climb
 /// on by plays, with each halved step.
-inline constexpr std::size_t looked_at = 120, compared = 16;
+inline constexpr std::size_t looked_at = 120, compared = 12;
 inline constexpr std::array<std::size_t, 3> improved{4, 2, 1};
 /// Errors of the plays of an estimate [standard deviations], and the number of rests that are drawn from those plays.
 inline constexpr double aim_error = 0.8, speed_error = 1.2;
