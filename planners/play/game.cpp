@@ -92,8 +92,7 @@ std::string why(const Puzzle& puzzle, const Shot& shot, const SolveOptions& opti
   if (others_made <= made + alike) return "no pot is likelier";
   const SearchRequest request(asked);
   EvaluationBudget aside(std::numeric_limits<long>::max());
-  const double others_both = leave_success(request, aside, LeaveWorth(asked), other,
-                                           {settings::leave::last_plays, settings::leave::judged_plays});
+  const double others_both = leave_success(request, aside, LeaveWorth(asked), other);
   if (others_both + alike > shot.leave->success) return "";
   return fmt::format("the likeliest pot goes in {} of plays and the next ball too in {}; with this shot both go in {}",
                      percent(others_made), percent(others_both), percent(shot.leave->success));

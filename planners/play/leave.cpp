@@ -54,23 +54,9 @@ struct Launched {
   Ending ending;
   double promise = 0;               ///< its value, as far as it can be told without plays
   std::optional<double> success{};  ///< that the target is made and the cue ball left as asked
+  int plays = 0;                    ///< by which the success was measured
+  double lost = 0;                  ///< what these were worth less than 1 each, in sum
   double value() const { return success ? *success - cost_of(shot) : promise; }
-};
-
-/// The largest of some values.
-class BestValues {
- public:
-  explicit BestValues(std::size_t count) : count_(count) {}
-  void add(double value) {
-    values_.insert(value);
-    if (values_.size() > count_) values_.erase(values_.begin());
-  }
-  /// Returns what a value must exceed to be one of them.
-  double least() const { return values_.size() < count_ ? -infinite : *values_.begin(); }
-
- private:
-  std::size_t count_;
-  std::multiset<double> values_{};
 };
 
 class Search {
@@ -95,11 +81,12 @@ class Search {
       look_by_stages(request_.starts_at(std::clamp(arrival, arrivals.low, arrivals.high), request_.spin), roots);
       for (const SearchRequest& sample : request_.samples())
         if (pool_.empty() && !budget_.spent()) look_by_stages(sample, roots);
-      follow_other_spins();
+      follow_waiting_spins();
     }
     if (asked_place() && std::ranges::none_of(pool_, [&](const Launched& one) { return on_place(one); })) {
       grid_ = close;
-      for (const Root& root : roots_) follow(root);
+      const std::vector<LaunchSpin> spins = spins_to_try();
+      for (const Root& root : roots_) follow(root, spins);
     }
     choose();
     hand_over();
@@ -159,7 +146,10 @@ class Search {
       }
       roots_.push_back({{request_, routes_.back(), c.aim_point}, x});
       look_across(roots_.back());
-      if (is_hopeful(roots_.back())) follow(roots_.back());
+      const std::vector<LaunchSpin> spins = spins_to_try();
+      // There are many launches of each spin where any contact counts, so all spins but one wait for all roots.
+      const std::size_t now = any_offset(roots_.back().branch) ? 1 : spins.size();
+      if (is_hopeful(roots_.back())) follow(roots_.back(), std::span(spins).first(now));
     }
   }
 
@@ -246,23 +236,20 @@ class Search {
     return out;
   }
 
-  /// Follows a root over speeds, spins and places across the target; then to the place asked for.
-  void follow(const Root& root) {
+  /// Follows a root over speeds, these spins and places across the target; then to the place asked for.
+  void follow(const Root& root, std::span<const LaunchSpin> spins) {
     const std::size_t first = pool_.size();
-    const std::vector<LaunchSpin> spins = spins_to_try();
-    // There are many launches of each spin where any contact counts, so the other spins wait for all roots.
-    for (const LaunchSpin& spin : std::span(spins).first(any_offset(root.branch) ? 1 : spins.size()))
+    for (const LaunchSpin& spin : spins)
       for (const double shift : shifts_of(root)) follow_speeds(root, shift, spin);
     if (asked_place()) go_to_place(root, first);
   }
 
-  void follow_other_spins() {
+  void follow_waiting_spins() {
     const std::vector<LaunchSpin> spins = spins_to_try();
-    for (const LaunchSpin& spin : std::span(spins).subspan(1))
+    for (std::size_t i = 1; i < spins.size(); ++i)
       for (const Root& root : roots_) {
         if (budget_.spent()) return;
-        if (!any_offset(root.branch) || !is_hopeful(root)) continue;
-        for (const double shift : shifts_of(root)) follow_speeds(root, shift, spin);
+        if (any_offset(root.branch) && is_hopeful(root)) follow(root, std::span(spins).subspan(i, 1));
       }
   }
 
@@ -367,14 +354,22 @@ class Search {
     return request_.all() || request_.puzzle().prefer != Prefer::robust ? pool_.size() : enough;
   }
 
-  /// `least`: a value below which it need not be known how far below.
-  double measured(const Launched& one, int plays, double least = -infinite) {
+  /// Measures the success of a launch by so many plays, and goes on from those that are known. It ends as soon as the
+  /// value must be less than `least`; the mean so far is then less as well.
+  void measure(Launched& one, int plays, double least = -infinite) {
     EvaluationBudget aside(std::numeric_limits<long>::max(), budget_);
     const auto* next = std::get_if<LeaveForNext>(&*request_.puzzle().leave);
     const Worth worth = next && next->plies > 1
                             ? Worth([&](const Ending& ending) { return two_pots_(next->order, ending, aside); })
                             : Worth(std::cref(worth_));
-    return leave_success(request_, aside, worth, one.shot, {plays, 0, least + cost_of(one.shot)});
+    const double may_lose = (1 - least - cost_of(one.shot)) * plays;
+    play_leave(request_, aside, worth, one.shot, plays, one.plays, [&](double won) {
+      ++one.plays, one.lost += 1 - won;
+      return one.lost <= may_lose;
+    });
+    // A launch without speed is no play, and wins nothing.
+    if (one.lost <= may_lose) one.lost += plays - one.plays, one.plays = plays;
+    one.success = 1 - one.lost / one.plays;
   }
 
   /// Orders by the promise, which ends with how near the cue ball comes.
@@ -396,16 +391,21 @@ class Search {
     order_pool();
     std::map<Way, int> times;
     std::size_t looked = 0;
-    BestValues best(told_apart(compared));
+    std::vector<double> best;
+    const std::size_t enough = told_apart(compared);
+    const auto add = [&](const Launched& one) {
+      best.insert(std::ranges::upper_bound(best, one.value(), std::greater()), one.value());
+      if (best.size() > enough) best.pop_back();
+    };
     for (const Launched& one : pool_)
-      if (one.success) best.add(one.value());
+      if (one.success) add(one);
     for (Launched& one : pool_) {
       if (looked == looked_at) return;
       if (++times[way_of(one)] > 2) continue;
       ++looked;
       if (one.success) continue;
-      one.success = measured(one, first_plays, best.least());
-      best.add(one.value());
+      measure(one, first_plays, best.size() < enough ? -infinite : best.back());
+      add(one);
     }
   }
 
@@ -463,8 +463,8 @@ class Search {
           one.success = estimated(one);
           return one.value() > up.value();
         });
-      best.success = measured(best, step_plays);
-      up.success = measured(up, step_plays, best.value());
+      measure(best, step_plays);
+      measure(up, step_plays, best.value());
       if (up.value() > best.value()) best = std::move(up);
     }
     double scale = 1;
@@ -473,7 +473,7 @@ class Search {
       for (Launched& best : std::span(pool_).first(std::min(told_apart(some), pool_.size()))) {
         if (!(*best.success > 0)) continue;
         climb(best, scale, [&](Launched& one) {
-          one.success = measured(one, step_plays, best.value());
+          measure(one, step_plays, best.value());
           return one.value() > best.value();
         });
       }
@@ -481,7 +481,7 @@ class Search {
     }
     order();
     pool_.resize(std::min(told_apart(improved.front()), pool_.size()));
-    for (Launched& one : pool_) one.success = measured(one, judged_plays);
+    for (Launched& one : pool_) measure(one, judged_plays);
   }
 
   bool on_place(const Launched& one) const {
@@ -503,7 +503,7 @@ class Search {
     order();
     // The best of many first looks are flattered by luck.
     for (Launched& one : std::span(pool_).first(std::min(told_apart(compared), pool_.size())))
-      if (one.success) one.success = measured(one, step_plays);
+      if (one.success) measure(one, step_plays);
     order();
     std::vector<Launched> best;
     std::set<Way> known;
@@ -515,7 +515,7 @@ class Search {
     if (!exact && request_.puzzle().prefer == Prefer::robust)
       improve();
     else
-      for (Launched& one : pool_) one.success = measured(one, judged_plays);
+      for (Launched& one : pool_) measure(one, judged_plays);
     order();
     if (!request_.all()) return void(pool_.erase(pool_.begin() + 1, pool_.end()));
     std::set<std::pair<Route, Route>> listed;
@@ -539,7 +539,7 @@ class Search {
       for (int k = 0; k < approach_halvings; ++k)
         climb(best, std::ldexp(1.0, -k), [&](const Launched& one) { return rank(one) < rank(best); });
     Launched& best = *std::ranges::min_element(nearest, {}, rank);
-    best.success = measured(best, step_plays);
+    measure(best, step_plays);
     pool_ = {std::move(best)};
     left_ = false;
   }

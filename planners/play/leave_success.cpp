@@ -90,13 +90,8 @@ double estimated_worth(const SearchRequest& request, EvaluationBudget& budget, c
   return worth.is_inside(*exact.cue_rests()) ? share_inside(worth, plays) : mean_worth(worth, plays);
 }
 
-double leave_success(const SearchRequest& request, EvaluationBudget& budget, const Worth& worth, const Shot& shot,
-                     const Measurement& measurement, std::vector<Vec2d>* rests) {
-  double sum = 0, lost = 0;
-  const auto count = [&](double won) {
-    sum += won, lost += 1 - won;
-    return lost <= (1 - measurement.least) * measurement.plays;
-  };
+void play_leave(const SearchRequest& request, EvaluationBudget& budget, const Worth& worth, const Shot& shot, int plays,
+                int skipped, const std::function<bool(double)>& count, std::vector<Vec2d>* rests) {
   const auto play = [&](const SearchRequest& own, const Launch& struck) {
     const Replay r = replay_to_target(own, budget, struck, Goal::counted(own, shot));
     if (!r.made) return count(0);
@@ -104,8 +99,18 @@ double leave_success(const SearchRequest& request, EvaluationBudget& budget, con
     if (rests && ending.cue_rests()) rests->push_back(*ending.cue_rests());
     return count(worth(ending));
   };
-  each_play(request.spinning(shot.spin), shot.launch, measurement.plays, play, measurement.skipped);
-  return sum / measurement.plays;
+  each_play(request.spinning(shot.spin), shot.launch, plays - skipped, play, skipped);
+}
+
+double leave_success(const SearchRequest& request, EvaluationBudget& budget, const Worth& worth, const Shot& shot,
+                     std::vector<Vec2d>* rests) {
+  double sum = 0;
+  const auto count = [&](double won) {
+    sum += won;
+    return true;
+  };
+  play_leave(request, budget, worth, shot, judged_plays + last_plays, judged_plays, count, rests);
+  return sum / last_plays;
 }
 
 void rate_leaves(const SearchRequest& request, EvaluationBudget& budget, bool robustness, std::vector<Shot>& shots) {
@@ -116,9 +121,8 @@ void rate_leaves(const SearchRequest& request, EvaluationBudget& budget, bool ro
         find_success(own, budget, shot);
         find_margin(own, budget, shot);
       });
-    // Other plays than those by which the shot was chosen: these would flatter it.
     std::vector<Vec2d> rests;
-    const double success = leave_success(request, budget, worth, shot, {last_plays, judged_plays}, &rests);
+    const double success = leave_success(request, budget, worth, shot, &rests);
     shot.leave->spread = spread_of(rests);
     shot.leave->success = std::min(success, shot.robustness.success.value_or(1));
     shot.robustness.value = shot.leave->success - cost_of(shot);

@@ -14,21 +14,18 @@
 
 namespace bankshot::planning::play {
 
-/// Plays of a measurement, the first `skipped` of the sequence left out. It ends as soon as the success must be less
-/// than `least`, and is then less than that.
-struct Measurement {
-  int plays;
-  int skipped = 0;
-  double least = 0;
-};
-
 /// The worth of an ending, from 0 to 1.
 using Worth = std::function<double(const Ending&)>;
 
-/// Returns the mean worth of the plays. `rests` gets the places in which the cue ball stops in those that make the
-/// target, if it is not null.
+/// Plays a shot, the first `skipped` of the sequence of plays left out, until there are `plays` or `count` says to
+/// stop. `count` gets the worth of each play, 0 where it misses the target, and returns whether to go on. `rests` gets
+/// the places in which the cue ball stops in plays that make the target, if it is not null.
+void play_leave(const SearchRequest& request, EvaluationBudget& budget, const Worth& worth, const Shot& shot, int plays,
+                int skipped, const std::function<bool(double)>& count, std::vector<Vec2d>* rests = nullptr);
+
+/// Returns the mean worth of so many plays, those left out by which a shot is chosen: these would flatter it.
 double leave_success(const SearchRequest& request, EvaluationBudget& budget, const Worth& worth, const Shot& shot,
-                     const Measurement& measurement, std::vector<Vec2d>* rests = nullptr);
+                     std::vector<Vec2d>* rests = nullptr);
 
 /// Returns the mean worth of what a shot leaves where it makes its target, by four plays beside it: with more and less
 /// aim and speed. `exact`: its ending without errors. If a region is asked for, it is the share of rests inside, drawn

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Partial targets, for an exact line that is blocked. Around each candidate the clearance is climbed (widest.hpp).
-// Where that leaves hope, aims are bisected.
+// If that leaves hope, aims are bisected.
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Newton's method on the locked path: the one root finder of every step. Steps are cut to the longest of each unknown.
-// Where the derivatives jump, steps that do not come nearer are halved.
+// Steps that do not come nearer are halved, since the derivatives may jump.
 // Cost: about five simulations from an image. Guarantee: none; what it finds is verified by a replay.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Finds the largest clearance around a candidate (trace/clearance.hpp), over aims at the speeds that arrive as asked.
-// Where that is positive, a shot is likely. Cost: some 100 simulations a candidate.
+// If that is positive, a shot is likely. Cost: some 100 simulations a candidate.
 // Guarantee: none; what it finds is verified by a replay.
 #pragma once
 

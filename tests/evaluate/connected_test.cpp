@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "planners/evaluate/all_errors.hpp"
-#include "planners/verify/prove.hpp"
 #include "support/catch.hpp"
+#include "support/proved.hpp"
 #include "support/straight.hpp"
 
 using namespace bankshot;
@@ -23,13 +23,8 @@ Puzzle wide() {
 }
 
 std::vector<Shot> shots_of(const SearchRequest& request, const std::vector<Launch>& launches) {
-  EvaluationBudget budget(100);
   std::vector<Shot> out;
-  for (const Launch& launch : launches) {
-    const Proof proof = prove(request, budget, launch, Goal::of(request, Demand::made));
-    REQUIRE(proof.holds());
-    out.push_back(proof.shot);
-  }
+  for (const Launch& launch : launches) out.push_back(test::shot_of(request, launch));
   return out;
 }
 

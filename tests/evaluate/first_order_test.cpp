@@ -10,11 +10,11 @@
 #include "bankshot/simulate/trajectory.hpp"
 #include "planners/evaluate/real_arrival.hpp"
 #include "planners/solve/newton.hpp"
-#include "planners/verify/prove.hpp"
 #include "support/bank.hpp"
 #include "support/catch.hpp"
 #include "support/flight.hpp"
 #include "support/played.hpp"
+#include "support/proved.hpp"
 #include "support/straight.hpp"
 
 using namespace bankshot;
@@ -25,13 +25,6 @@ namespace {
 constexpr double slowing = 2 * 0.01 * 9.81;  // m/s²; twice the deceleration of a roll
 
 double below(double z) { return std::erfc(-z / std::sqrt(2.0)) / 2; }
-
-Shot shot_of(const SearchRequest& request, const Launch& launch) {
-  EvaluationBudget budget(1);
-  const Proof proof = prove(request, budget, launch, Goal::of(request, Demand::made));
-  REQUIRE(proof.holds());
-  return proof.shot;
-}
 
 /// Returns the exact launch of a bank near a launch.
 Launch root_of(const SearchRequest& request, const Launch& near) {
@@ -81,7 +74,7 @@ TEST_CASE("a rest moves with aim and speed as plays beside the shot show") {
   Puzzle p = test::bank();
   p.arrive = Range{0, 0};
   const SearchRequest request(p);
-  Shot shot = shot_of(request, root_of(request, test::near_bank(0.95)));
+  Shot shot = test::shot_of(request, root_of(request, test::near_bank(0.95)));
   Work work;
   add_first_order(request, shot, work);
   compare(shot, [&](const Launch& l) { return *test::played(p, l, p.spin)[0]; });
@@ -95,7 +88,7 @@ TEST_CASE("the success of a straight pass is that of its angle, and of lines bes
   p.noise = {.angle = error, .speed = 0};
   const SearchRequest request(p);
   const Launch exact{std::sqrt(0.25 + slowing), 0};
-  Shot shot = shot_of(request, exact);
+  Shot shot = test::shot_of(request, exact);
   Work work;
   add_first_order(request, shot, work);
   const double expected = std::erf(within / error / std::sqrt(2));
@@ -127,7 +120,7 @@ TEST_CASE("the success of a rest is at least that of its disc, and at most that 
   const double across = 0.04, along = 2 * 0.01 / exact.speed, reach = 0.05;
   const double found = success_on_aim_point(aim, exact, linearise(aim, budget, exact).value());
   CHECK(found == Approx(std::erf(reach / across / std::sqrt(2)) * std::erf(reach / along / std::sqrt(2))));
-  Shot shot = shot_of(request, exact);
+  Shot shot = test::shot_of(request, exact);
   Work work;
   add_first_order(request, shot, work);
   constexpr std::uint64_t seed = 4;
@@ -146,7 +139,7 @@ TEST_CASE("the success of a rest is at least that of its disc, and at most that 
 TEST_CASE("a ball that is sent on arrives as plays beside the shot show, on its real path as well") {
   const Puzzle p = sent();
   const SearchRequest request(p);
-  Shot shot = shot_of(request, onto_ghost(p, 1.5));
+  Shot shot = test::shot_of(request, onto_ghost(p, 1.5));
   // Once it is hit, the ball rolls straight on; its line passes nearest to the point there.
   const auto nearest = [&](const Launch& launch) {
     const Trajectory t = simulate({{}, p.table, p.physics, p.ball, p.others, launch, {}, {}});
@@ -164,7 +157,7 @@ TEST_CASE("a ball that is sent on arrives as plays beside the shot show, on its 
   compare(real, nearest);
   const Puzzle roll = test::straight();
   const SearchRequest alone(roll);
-  CHECK(!real_arrival(alone, shot_of(alone, {std::sqrt(0.25 + slowing), 0}), work));
+  CHECK(!real_arrival(alone, test::shot_of(alone, {std::sqrt(0.25 + slowing), 0}), work));
   shot.path.arrival.time = 20;  // by then it has met the right rail
   CHECK(!real_arrival(request, shot, work));
 }
@@ -173,7 +166,7 @@ TEST_CASE("a ball that is sent on arrives as plays beside the shot show, on its 
 TEST_CASE("a pass moves with aim and speed as plays beside the shot show") {
   const Puzzle p = test::bank();
   const SearchRequest request(p);
-  Shot shot = shot_of(request, root_of(request, test::near_bank(1.9)));
+  Shot shot = test::shot_of(request, root_of(request, test::near_bank(1.9)));
   Work work;
   add_first_order(request, shot, work);
   const Trajectory t = simulate(as_request(p, shot));
@@ -188,7 +181,7 @@ TEST_CASE("the middle of its target gives a shot beside it the estimate of a sho
   p.target = PointTarget{{1.5, 0.5}, 0.06};
   p.noise = {.angle = 0.04, .speed = 0};
   const SearchRequest request(p);
-  Shot shot = shot_of(request, {std::sqrt(0.25 + slowing), 0.03});
+  Shot shot = test::shot_of(request, {std::sqrt(0.25 + slowing), 0.03});
   Work work;
   add_first_order(request, shot, work);
   CHECK(shot.robustness.success_estimate == Approx(below(0.03 / 0.04) - below(-0.09 / 0.04)).margin(5e-3));
@@ -204,7 +197,7 @@ TEST_CASE("the middle of a pocket's gap is half way between the aims that just f
   p.arrive = Range{0.8, 0.8};
   p.noise = {.angle = 0.02, .speed = 0};
   const SearchRequest request(p);
-  Shot shot = shot_of(request, root_of(request, {1.2, std::atan2(0.13, 0.8)}));
+  Shot shot = test::shot_of(request, root_of(request, {1.2, std::atan2(0.13, 0.8)}));
   const auto falls = [&](double aim) {
     const Trajectory t = simulate({{}, p.table, p.physics, p.ball, {}, {shot.launch.speed, aim}, {}, {}});
     return t.end == EventKind::pocket && t.cushions == 0;

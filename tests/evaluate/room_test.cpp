@@ -8,30 +8,19 @@
 
 #include "bankshot/scene/scene.hpp"
 #include "bankshot/simulate/trajectory.hpp"
-#include "planners/verify/prove.hpp"
 #include "support/catch.hpp"
+#include "support/proved.hpp"
 #include "support/straight.hpp"
 
 using namespace bankshot;
 using namespace bankshot::planning;
-
-namespace {
-
-Shot shot_of(const SearchRequest& request, const Launch& from) {
-  EvaluationBudget budget(1);
-  const Proof proof = prove(request, budget, from, Goal::of(request, Demand::made));
-  REQUIRE(proof.holds());
-  return proof.shot;
-}
-
-}  // namespace
 
 TEST_CASE("the room beside a pass of a point ends where its disc ends") {
   Puzzle p = test::straight();
   p.target = PointTarget{{1.5, 0.5}, 0.1};
   const SearchRequest request(p);
   for (const double aim : {-0.06, 0.0, 0.03}) {
-    const Shot shot = shot_of(request, {1, aim});
+    const Shot shot = test::shot_of(request, {1, aim});
     const Vec2d left = perpendicular(direction(aim));
     const Gap<double> room = room_beside(request, shot, left), mirrored = room_beside(request, shot, -left);
     CHECK(room.low == Approx(-0.1 - std::sin(aim)));  // the ball passes so far to the left of the point
@@ -52,7 +41,7 @@ TEST_CASE("the room beside a fall ends where a line that is moved so far touches
   CAPTURE(turn, side);
   const Launch from{2, std::atan2(way.y, way.x) + turn};
   const Vec2d across = perpendicular(direction(from.angle)) * side;
-  const Gap<double> room = room_beside(request, shot_of(request, from), across);
+  const Gap<double> room = room_beside(request, test::shot_of(request, from), across);
   const auto falls = [&](double moved) {
     Ball ball = p.ball;
     ball.at += across * moved;

@@ -8,8 +8,8 @@
 
 #include "planners/evaluate/first_order.hpp"
 #include "planners/evaluate/outcome_map.hpp"
-#include "planners/verify/prove.hpp"
 #include "support/catch.hpp"
+#include "support/proved.hpp"
 #include "support/straight.hpp"
 
 using namespace bankshot;
@@ -40,12 +40,10 @@ Puzzle narrowed() {
 double made(double aim) { return below((std::asin(0.1) - aim) / error) - below((-0.04 - aim) / error); }
 
 Shot shot_of(const SearchRequest& request, const Launch& launch) {
-  EvaluationBudget budget(1);
-  Proof proof = prove(request, budget, launch, Goal::of(request, Demand::off_centre));
-  REQUIRE(proof.holds());
+  Shot shot = test::shot_of(request, launch, Demand::off_centre);
   Work work;
-  add_first_order(request, proof.shot, work);
-  return proof.shot;
+  add_first_order(request, shot, work);
+  return shot;
 }
 
 /// Returns the largest value of all aims and speeds, if a launch must have `least` m/s to arrive.

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "planners/verify/prove.hpp"
 #include "support/catch.hpp"
+#include "support/proved.hpp"
 #include "support/straight.hpp"
 
 using namespace bankshot;
@@ -17,13 +17,6 @@ using namespace bankshot::planning;
 namespace {
 
 constexpr double slowing = 2 * 0.01 * 9.81;  // m/s²; twice the deceleration of a roll
-
-Shot shot_of(const SearchRequest& request, const Launch& launch) {
-  EvaluationBudget budget(1);
-  const Proof proof = prove(request, budget, launch, Goal::of(request, Demand::made));
-  REQUIRE(proof.holds());
-  return proof.shot;
-}
 
 }  // namespace
 
@@ -38,7 +31,8 @@ TEST_CASE("a rest is as sensitive to friction and restitution as its closed form
   Puzzle p = test::straight();
   p.arrive = Range{0, 0};
   const SearchRequest rolls(p);
-  CHECK(of(rolls, shot_of(rolls, {std::sqrt(slowing), 0}), "friction") == Approx(1 / 0.01));  // 1 m over the friction
+  CHECK(of(rolls, test::shot_of(rolls, {std::sqrt(slowing), 0}), "friction") ==
+        Approx(1 / 0.01));  // 1 m over the friction
   // Straight down to the bottom rail and up again to a point.
   p.table = rectangle_table(2, 2);
   p.ball.at = {1, 1};
@@ -47,7 +41,7 @@ TEST_CASE("a rest is as sensitive to friction and restitution as its closed form
   const SearchRequest bounces(p);
   const double R = p.ball.body.radius, e = restitution(p.physics).at_rest, up = 0.6 - R;
   const Launch down{std::sqrt(slowing * (1 - R) + slowing * up / (e * e)), radians(270)};
-  CHECK(of(bounces, shot_of(bounces, down), "restitution") == Approx(2 * up / e).epsilon(1e-6));
+  CHECK(of(bounces, test::shot_of(bounces, down), "restitution") == Approx(2 * up / e).epsilon(1e-6));
   // An object ball leaves a full hit at a half of (1 + restitution) of the speed, and rolls as its square.
   Puzzle full{.table = rectangle_table(4, 2), .physics = rolling_physics(), .ball = {.at = {0.5, 1}}};
   full.others = {{{1.5, 1}, full.ball.body, "1"}};
@@ -58,5 +52,5 @@ TEST_CASE("a rest is as sensitive to friction and restitution as its closed form
   const SearchRequest hits(full);
   const double b = collisions(full.physics).restitution, run = 1 - 2 * R;
   const Launch at{std::sqrt(slowing * run + slowing * away * 4 / ((1 + b) * (1 + b))), 0};
-  CHECK(of(hits, shot_of(hits, at), "ball_ball.restitution") == Approx(2 * away / (1 + b)).epsilon(1e-6));
+  CHECK(of(hits, test::shot_of(hits, at), "ball_ball.restitution") == Approx(2 * away / (1 + b)).epsilon(1e-6));
 }

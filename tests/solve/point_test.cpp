@@ -71,10 +71,10 @@ TEST_CASE("a point of a branch passes as the simulator plays it, and so do the l
   EvaluationBudget budget(2);
   const test::Aimed aimed(p);
   const Vector x = spun(1.9);
-  const Branch aim{request, *request.route, request.problem->aim_points[0]};
-  const auto point = look(aim, budget, x, Vary::spin_too), launch_alone = look(aim, budget, x, Vary::launch);
+  const Branch branch{request, *request.route, request.problem->aim_points[0]};
+  const auto point = look(branch, budget, x, Vary::spin_too), launch_alone = look(branch, budget, x, Vary::launch);
   REQUIRE((point && launch_alone));
-  CHECK(!look(aim, budget, x, Vary::launch));  // the budget is spent
+  CHECK(!look(branch, budget, x, Vary::launch));  // the budget is spent
   CHECK(point->equations == 1);
   const auto pass = [&](const Vector& at) { return test::fly(aimed, launch_of(at), spin_of(at), 10).passes[0]; };
   const auto compare = [&](const Value& found, const Value& two, const auto& plain) {
