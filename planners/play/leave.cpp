@@ -18,16 +18,13 @@
 
 #include "bankshot/numbers/tolerances.hpp"
 #include "planners/evaluate/first_order.hpp"
-#include "planners/evaluate/noise_scanlines.hpp"
 #include "planners/evaluate/rank.hpp"
+#include "planners/play/launches.hpp"
 #include "planners/play/leave_success.hpp"
-#include "planners/play/rest.hpp"
 #include "planners/play/settings.hpp"
 #include "planners/play/two_pots.hpp"
 #include "planners/propose/proposers.hpp"
-#include "planners/verify/aftermath.hpp"
 #include "planners/verify/certify.hpp"
-#include "planners/verify/prove.hpp"
 
 namespace bankshot::planning::play {
 namespace {
@@ -37,28 +34,6 @@ using branch::aim;
 using branch::Box;
 using branch::log_speed;
 
-/// A root of the target, from which other launches are found.
-struct Root {
-  Branch branch;
-  Vector x;
-  double slope = 0;             ///< m across the target for a radian of aim
-  std::optional<Range> made{};  ///< of a pocket: the widest range of shifts that are made
-};
-
-/// A launch that makes its target, and how it leaves the cue ball.
-struct Launched {
-  const Root* root;
-  Vector x;
-  double shift;  ///< m, across the target
-  Shot shot;
-  Ending ending;
-  double promise = 0;               ///< its value, as far as it can be told without plays
-  std::optional<double> success{};  ///< that the target is made and the cue ball left as asked
-  int plays = 0;                    ///< by which the success was measured
-  double lost = 0;                  ///< what these were worth less than 1 each, in sum
-  double value() const { return success ? *success - cost_of(shot) : promise; }
-};
-
 class Search {
  public:
   Search(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found)
@@ -67,7 +42,8 @@ class Search {
         found_(found),
         worth_(request.puzzle()),
         two_pots_(request),
-        box_(branch::box_of(request)) {
+        launches_(request, budget, worth_),
+        box_(launches_.box()) {
     const auto balls = request.problem->whole->balls();
     for (std::size_t k = 1; k < balls.size(); ++k)
       standing_.push_back({static_cast<int>(k), balls[k].boundary, balls[k].state.at});
@@ -105,15 +81,7 @@ class Search {
       }
   }
 
-  bool safest() const { return request_.problem->safest(); }
   const LeavePlace* asked_place() const { return std::get_if<LeavePlace>(&*request_.puzzle().leave); }
-  /// Returns whether any contact with the target ball counts, so that the offset there is free.
-  bool any_offset(const Branch& branch) const { return safest() && branch.aim_point.cuts.has_value(); }
-  /// Returns whether the target has two equations, which leave neither the speed nor the place across it free.
-  bool two_equations() const { return request_.stop || (request_.arrival && request_.arrival->fixed()); }
-  bool speed_given() const { return two_equations() || !box_.free(log_speed); }
-  branch::Vary vary() const { return request_.puzzle().spin_range ? branch::Vary::spin_too : branch::Vary::launch; }
-
   /// No shot by so many cushions can be better than the best that is known.
   bool over(int cushions) {
     if (budget_.spent()) return true;
@@ -145,10 +113,10 @@ class Search {
         x[aim] = middle + angle_difference(wrap_angle(middle), x[aim]);
       }
       roots_.push_back({{request_, routes_.back(), c.aim_point}, x});
-      look_across(roots_.back());
+      launches_.look_across(roots_.back());
       const std::vector<LaunchSpin> spins = spins_to_try();
       // There are many launches of each spin where any contact counts, so all spins but one wait for all roots.
-      const std::size_t now = any_offset(roots_.back().branch) ? 1 : spins.size();
+      const std::size_t now = launches_.any_offset(roots_.back().branch) ? 1 : spins.size();
       if (is_hopeful(roots_.back())) follow(roots_.back(), std::span(spins).first(now));
     }
   }
@@ -158,12 +126,12 @@ class Search {
   bool is_hopeful(const Root& root) {
     const double best = best_value();
     if (request_.all() || !(best > 0)) return true;
-    Proof proof = prove_at(root.x);
+    Proof proof = launches_.prove_at(root.x);
     if (!proof.replayed || proof.shot.path.hits.empty()) return true;
     const SearchRequest own = request_.spinning(branch::spin_of(root.x));
     add_first_order(own, proof.shot, budget_.work());
-    const double estimate =
-        std::max(likely(root, middle_of(root), proof.shot), estimate_in_middle(own, proof.shot, budget_.work()));
+    const double estimate = std::max(launches_.likely(root, root.middle(), proof.shot),
+                                     estimate_in_middle(own, proof.shot, budget_.work()));
     return success_at_most(own, root.branch.aim_point, estimate) + spin_adds - cost_of_contacts(proof.shot.contacts()) >
            best;
   }
@@ -177,48 +145,10 @@ class Search {
     return out;
   }
 
-  /// Finds the widest range of places across a pocket that are made at the speed of a root.
-  void look_across(Root& root) {
-    if (!safest() || two_equations() || !root.branch.aim_point.drops()) return;
-    const auto at = branch::look(root.branch, budget_, root.x, branch::Vary::launch);
-    if (!at) return;
-    const double slope = at->off[0].by[aim] * request_.problem->boundary.diagonal;
-    root.slope = std::abs(slope);
-    constexpr int each_way = settings::aims_across / 2;
-    const double step = root.branch.aim_point.reach / each_way;
-    const auto is_made = [&](int i) {
-      Vector x = root.x;
-      x[aim] += i * step / slope;
-      const Proof proof = prove_at(x);
-      return proof.holds() && request_.problem->keeps_cushions(proof.shot);
-    };
-    for (int i = -each_way; i <= each_way; ++i) {
-      if (!is_made(i)) continue;
-      const int first = i;
-      while (i < each_way && is_made(i + 1)) ++i;
-      const Range run{(first - 0.5) * step, (i + 0.5) * step};
-      if (!root.made || run.high - run.low > root.made->high - root.made->low) root.made = run;
-    }
-  }
-
-  static double middle_of(const Root& root) { return root.made ? (root.made->low + root.made->high) / 2 : 0; }
-
-  /// Returns the success of a launch to first order, of a pocket in what is made across it at the speed of its root.
-  double likely(const Root& root, double shift, const Shot& shot) const {
-    const double estimate = shot.robustness.success_estimate, by_aim = norm(shot.verification.by_angle);
-    if (!root.made || !(by_aim > 0)) return estimate;
-    const Noise& noise = request_.puzzle().noise;
-    const double by_speed = dot(shot.verification.by_angle / by_aim, shot.verification.by_speed);
-    const double deviation = std::hypot(by_aim * noise.angle, by_speed * noise.speed_at(shot.launch.speed));
-    if (!(deviation > 0)) return estimate;
-    return std::max(estimate, normal_below((root.made->high - shift) / deviation) -
-                                  normal_below((root.made->low - shift) / deviation));
-  }
-
   /// Returns places across the target of a root: the middle, or several and the exact line where there is room for the
   /// player's errors beside each.
   std::vector<double> shifts_of(const Root& root) const {
-    if (any_offset(root.branch)) {
+    if (launches_.any_offset(root.branch)) {
       std::vector<double> out{0};
       const Cuts& cuts = *root.branch.aim_point.cuts;
       for (int i = 1; i < contacts; ++i)
@@ -249,7 +179,7 @@ class Search {
     for (std::size_t i = 1; i < spins.size(); ++i)
       for (const Root& root : roots_) {
         if (budget_.spent()) return;
-        if (any_offset(root.branch) && is_hopeful(root)) follow(root, std::span(spins).subspan(i, 1));
+        if (launches_.any_offset(root.branch) && is_hopeful(root)) follow(root, std::span(spins).subspan(i, 1));
       }
   }
 
@@ -265,55 +195,26 @@ class Search {
   void follow_speeds(const Root& root, double shift, const LaunchSpin& spin) {
     Vector x = root.x;
     x[branch::top] = spin.top, x[branch::side] = spin.side, x[branch::masse] = spin.masse;
-    const bool given = speed_given();
+    const bool given = launches_.speed_given();
     for (int i = 0; i < (given ? 1 : grid_.speeds) && !budget_.spent(); ++i) {
       Vector from = x;
       if (!given)
         from[log_speed] = root.x[log_speed] + std::log(slowest) + i * std::log(fastest / slowest) / (grid_.speeds - 1);
       if (!box_.free(log_speed)) from[log_speed] = box_.low[log_speed];
       if (from[log_speed] < box_.low[log_speed] || from[log_speed] > box_.high[log_speed]) continue;
-      auto one = launched_from(root, from, shift);
+      auto one = launches_.play_near(root, from, shift);
       // At another speed than the root's the middle may be blocked.
-      if (!one && shift != 0 && !any_offset(root.branch)) one = launched_from(root, from, 0);
+      if (!one && shift != 0 && !launches_.any_offset(root.branch)) one = launches_.play_near(root, from, 0);
       if (!one) continue;
       x = one->x;
       pool_.push_back(*std::move(one));
     }
   }
 
-  /// Plays the launch nearest to `x` that reaches its target.
-  std::optional<Launched> launched_from(const Root& root, const Vector& x, double shift, const Shot* like = nullptr) {
-    const auto there = on_target(root.branch, budget_, box_, x, shift);
-    return there ? launched(root, *there, shift, like) : std::nullopt;
-  }
-
-  Proof prove_at(const Vector& x, const Shot* like = nullptr) {
-    const SearchRequest own = request_.spinning(branch::spin_of(x));
-    const Demand demand = !safest() ? Demand::exact : request_.puzzle().arrive ? Demand::off_centre : Demand::made;
-    Goal goal = like ? Goal::counted(own, *like) : Goal::of(own);
-    goal.demand = demand;
-    return prove(own, budget_, branch::launch_of(x), goal);
-  }
-
-  /// Plays a launch without errors; none if it does not make the target, or the cue ball falls.
-  std::optional<Launched> launched(const Root& root, const Vector& x, double shift, const Shot* like = nullptr) {
-    Proof proof = prove_at(x, like);
-    if (!proof.holds() || !request_.problem->keeps_cushions(proof.shot)) return {};
-    const SearchRequest own = request_.spinning(branch::spin_of(x));
-    Ending ending = play_out(own, budget_, proof.shot.launch);
-    if (!ending.cue_rests()) return {};
-    proof.shot.path.cue_rests = ending.cue_rests();
-    add_first_order(own, proof.shot, budget_.work());
-    proof.shot.provenance.planner = word::continuation;
-    proof.shot.provenance.simulations = budget_.simulations();
-    Launched out{&root, x, shift, std::move(proof.shot), std::move(ending)};
-    out.promise = likely(root, shift, out.shot) * worth_(out.ending) - cost_of(out.shot);
-    return out;
-  }
-
   /// From the launches of a root that rest near the place asked for, to those that rest there.
   void go_to_place(const Root& root, std::size_t first) {
     const Vec2d wanted = asked_place()->at;
+    const auto vary = request_.puzzle().spin_range ? branch::Vary::spin_too : branch::Vary::launch;
     std::map<Route, std::vector<std::pair<double, std::size_t>>> near;
     for (std::size_t i = first; i < pool_.size(); ++i) {
       const double off = norm(*pool_[i].ending.cue_rests() - wanted);
@@ -325,12 +226,12 @@ class Search {
       std::set<std::pair<long, long>> known;
       for (std::size_t k = 0; k < std::min(grid_.nearest, from.size()) && !budget_.spent(); ++k) {
         const Launched& start = pool_[from[k].second];
-        const auto at = place(root.branch, budget_, {route, standing_}, wanted, box_, start.x, start.shift, vary());
+        const auto at = place(root.branch, budget_, {route, standing_}, wanted, box_, start.x, start.shift, vary);
         if (!at) continue;
         // Two launches that agree to 1e-6 are one.
         constexpr double apart = 1e6;
         if (!known.insert({std::lround((*at)[aim] * apart), std::lround((*at)[log_speed] * apart)}).second) continue;
-        auto one = launched(root, *at, start.shift);
+        auto one = launches_.play(root, *at, start.shift);
         if (!one) continue;
         one->promise = estimated(*one) - cost_of(one->shot);
         reached.push_back(*std::move(one));
@@ -346,7 +247,8 @@ class Search {
   /// Returns the success of a launch by five plays: that the target is made, to first order, and what they leave.
   double estimated(const Launched& one) {
     EvaluationBudget aside(std::numeric_limits<long>::max(), budget_);
-    return likely(*one.root, one.shift, one.shot) * estimated_worth(request_, aside, worth_, one.shot, one.ending);
+    return launches_.likely(*one.root, one.shift, one.shot) *
+           estimated_worth(request_, aside, worth_, one.shot, one.ending);
   }
 
   /// Returns how many of the best launches are told apart from the others where so many are enough.
@@ -409,57 +311,13 @@ class Search {
     }
   }
 
-  /// A coordinate of a launch, and the first step along it.
-  struct Move {
-    int coordinate;  ///< -1: across the target
-    double step;
-  };
-  std::vector<Move> moves_of(const Launched& one) const {
-    std::vector<Move> moves;
-    if (safest() && !two_equations()) {
-      const AimPoint& point = one.root->branch.aim_point;
-      const double width = point.cuts ? point.cuts->high - point.cuts->low : 2 * point.reach;
-      moves.push_back({-1, step_across * width});
-    }
-    if (!speed_given()) moves.push_back({log_speed, step_speed});
-    for (const int c : {branch::top, branch::side, branch::masse})
-      if (box_.free(c)) moves.push_back({c, step_spin});
-    return moves;
-  }
-
-  /// Compass search over the launches that reach the target, by steps of one size. `is_better(one)` says whether a
-  /// launch is better than `best`, which it then becomes.
-  template <class IsBetter>
-  void climb(Launched& best, double scale, IsBetter&& is_better) {
-    const std::vector<Move> moves = moves_of(best);
-    for (bool better = true; better && !budget_.spent();) {
-      better = false;
-      for (const Move& move : moves)
-        for (const double sign : {1.0, -1.0}) {
-          Vector x = best.x;
-          double shift = best.shift;
-          if (move.coordinate < 0)
-            shift += sign * scale * move.step;
-          else
-            x[move.coordinate] = std::clamp(x[move.coordinate] + sign * scale * move.step, box_.low[move.coordinate],
-                                            box_.high[move.coordinate]);
-          if (x == best.x && shift == best.shift) continue;
-          auto one = launched_from(*best.root, x, shift, &best.shot);
-          if (!one || !is_better(*one)) continue;
-          best = *std::move(one);
-          better = true;
-          break;
-        }
-    }
-  }
-
   /// Climbs from the best launches by their estimates, then by plays, from fewer of them with each halved step.
   void improve() {
     for (Launched& best : pool_) {
       Launched up = best;
       up.success = estimated(up);
       for (const double scale : {1.0, 0.5})
-        climb(up, scale, [&](Launched& one) {
+        launches_.climb(up, scale, [&](Launched& one) {
           one.success = estimated(one);
           return one.value() > up.value();
         });
@@ -472,7 +330,7 @@ class Search {
       order();
       for (Launched& best : std::span(pool_).first(std::min(told_apart(some), pool_.size()))) {
         if (!(*best.success > 0)) continue;
-        climb(best, scale, [&](Launched& one) {
+        launches_.climb(best, scale, [&](Launched& one) {
           measure(one, step_plays, best.value());
           return one.value() > best.value();
         });
@@ -492,7 +350,7 @@ class Search {
   void choose() {
     if (pool_.empty()) return;
     // With `centre` a place is met exactly, or as nearly as it can be.
-    const bool exact = asked_place() && !safest();
+    const bool exact = asked_place() && !launches_.safest();
     if (exact) {
       if (std::ranges::none_of(pool_, [&](const Launched& one) { return on_place(one); })) return keep_nearest();
       std::erase_if(pool_, [&](const Launched& one) { return !on_place(one); });
@@ -528,7 +386,7 @@ class Search {
   /// makes at least half as often as any other.
   void keep_nearest() {
     const auto likely = [](const Launched& one) { return one.shot.robustness.success_estimate; };
-    const double least = safest() ? likely(*std::ranges::max_element(pool_, {}, likely)) / 2 : 0;
+    const double least = launches_.safest() ? likely(*std::ranges::max_element(pool_, {}, likely)) / 2 : 0;
     const auto rank = [&](const Launched& one) { return std::tuple(likely(one) < least, miss_of(one), -likely(one)); };
     std::ranges::stable_sort(pool_, {}, rank);
     std::vector<Launched> nearest;
@@ -537,7 +395,7 @@ class Search {
       if (nearest.size() < approached && known.insert(way_of(one)).second) nearest.push_back(std::move(one));
     for (Launched& best : nearest)
       for (int k = 0; k < approach_halvings; ++k)
-        climb(best, std::ldexp(1.0, -k), [&](const Launched& one) { return rank(one) < rank(best); });
+        launches_.climb(best, std::ldexp(1.0, -k), [&](const Launched& one) { return rank(one) < rank(best); });
     Launched& best = *std::ranges::min_element(nearest, {}, rank);
     measure(best, step_plays);
     pool_ = {std::move(best)};
@@ -575,7 +433,7 @@ class Search {
                              contacts_of(std::span(cue).subspan(one.ending.after_balls)),
                              {},
                              next_of(one)};
-      shot.provenance.moved = safest() && shot.verification.off_centre;
+      shot.provenance.moved = launches_.safest() && shot.verification.off_centre;
       shot.verification.digits = promised_digits(request_, shot);
       found_.shots.push_back(std::move(shot));
     }
@@ -597,7 +455,8 @@ class Search {
   SearchResult& found_;
   LeaveWorth worth_;
   TwoPots two_pots_;
-  Box box_;
+  Launches launches_;
+  const Box& box_;
   Grid grid_ = usual;
   bool left_ = true;  ///< some shot leaves the cue ball as asked
   std::vector<StandingBall> standing_;

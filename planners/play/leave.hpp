@@ -5,8 +5,8 @@
 // rest. If a place is asked for, the launches that rest near it lead to those that rest on it (rest.hpp). The most
 // promising are played with the player's errors: their value is the share of plays that make the target and leave the
 // cue ball as asked, less the cost of the shot. With `safest` a compass search over the launches that reach the target
-// improves the best ways to play the shot, by a cheap estimate first and then by plays (Kolda, Lewis & Torczon, SIAM
-// Review 45, 2003, algorithm 3.2). Many other plays choose among the last few, since luck flatters the best of many.
+// (launches.hpp) improves the best ways to play the shot, by a cheap estimate first and then by plays. Many more plays
+// choose among the last few, since luck flatters the best of many.
 // Cost: some 500 plays of each root where spin is free, 10 where it is not, and about 10,000 for the best of all.
 // Guarantee: none beyond the replay of each launch; how many places are found is measured (docs/evidence.md).
 #pragma once

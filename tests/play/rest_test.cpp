@@ -1,37 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "planners/play/rest.hpp"
 
-#include "bankshot/scene/json.hpp"
-#include "planners/verify/aftermath.hpp"
 #include "support/catch.hpp"
+#include "support/one_pot.hpp"
 
 using namespace bankshot;
 using namespace bankshot::planning;
 
-namespace {
-
-struct OnePot {
-  Puzzle puzzle = read_puzzle(R"({"table": "pool-9ft",
-    "ball": {"at": [0.635, 0.4], "spin": {"top": [-1, 1], "side": [-0.75, 0.75]}},
-    "others": [{"id": "1", "at": [1.6, 0.9]}], "target": {"ball": "1", "pocket": "top-right"}, "cushions": 0,
-    "leave": {"point": [1.9, 0.4]}})");
-  SearchRequest request{puzzle};
-  EvaluationBudget budget{100000};
-  std::vector<StandingBall> standing{{1, request.problem->whole->balls()[1].boundary, puzzle.others[0].at}};
-  Route hit{{0, Contact::ball(1)}};
-  Branch branch{request, hit, request.problem->aim_points.front()};
-  branch::Vector x = branch::vector_of({2.4, 0.49}, {0.2, 0.4, 0});
-
-  play::CuePath path(const branch::Vector& at) {
-    const SearchRequest own = request.spinning(branch::spin_of(at));
-    return {play_out(own, budget, branch::launch_of(at)).cue, standing};
-  }
-};
-
-}  // namespace
-
 TEST_CASE("where the cue ball rests along its branch is where the simulator leaves it, and derivatives agree") {
-  OnePot s;
+  test::OnePot s;
   const play::CuePath path = s.path(s.x);
   const auto rest = play::rest_of(s.request, s.budget, path, s.x, branch::Vary::spin_too);
   REQUIRE(rest);
@@ -55,7 +32,7 @@ TEST_CASE("where the cue ball rests along its branch is where the simulator leav
 }
 
 TEST_CASE("a launch on target is led to a place nearby, and stays on target") {
-  OnePot s;
+  test::OnePot s;
   const branch::Box box = branch::box_of(s.request);
   const auto from = play::on_target(s.branch, s.budget, box, s.x, 0);
   REQUIRE(from);
@@ -75,7 +52,7 @@ TEST_CASE("a launch on target is led to a place nearby, and stays on target") {
 }
 
 TEST_CASE("across the target a launch passes so far beside the exact line") {
-  OnePot s;
+  test::OnePot s;
   constexpr double shift = 0.004;
   const auto beside = play::on_target(s.branch, s.budget, branch::box_of(s.request), s.x, shift);
   REQUIRE(beside);

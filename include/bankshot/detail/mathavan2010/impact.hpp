@@ -26,11 +26,11 @@ class Impact : private Straight<T> {
   }
 
   void run(const T& restitution) {
-    phase(1, T(0), as_double(restitution));
+    phase(1, T(0));
     if (course_.jams) return;
     const T target = restitution * restitution * work_;
     vy_ = work_ = T(0);
-    if (as_double(target) > 0) phase(-1, target, as_double(restitution));
+    if (as_double(target) > 0) phase(-1, target);
   }
 
   const ImpactCourse& course() const { return course_; }
@@ -40,8 +40,8 @@ class Impact : private Straight<T> {
 
  private:
   using Base = Straight<T>;
-  using Base::course_, Base::e_, Base::margin, Base::note, Base::rounding, Base::set_slip, Base::settle, Base::sign_,
-      Base::start, Base::straight, Base::target_, Base::tolerance_, Base::vy_, Base::work_;
+  using Base::course_, Base::e_, Base::load, Base::margin, Base::note, Base::rounding, Base::set_slip, Base::settle,
+      Base::sign_, Base::start, Base::straight, Base::target_, Base::tolerance_, Base::vy_, Base::work_;
   using Contact = typename Base::Contact;
 
   /// Returns the order at which a tolerance costs least.
@@ -50,7 +50,7 @@ class Impact : private Straight<T> {
   }
 
   /// Runs compression (sign 1) or restitution (sign −1).
-  void phase(int sign, const T& target, double e) {
+  void phase(int sign, const T& target) {
     sign_ = sign;
     target_ = target;
     for (Contact* k : {&e_.cushion, &e_.cloth})
@@ -63,8 +63,7 @@ class Impact : private Straight<T> {
       // A cushion that sticks leaves the cloth no load only if no friction force is consistent.
       if (!e_.cushion.moves() && as_double(e_.q[0]) < 0) course_.jams = true;
       if (course_.jams) return;
-      const double rate = -as_double(e_.vy_rate[0]);
-      left_ = sign > 0 ? as_double(vy_) / rate : std::max(e + as_double(vy_), 0.0) / rate;
+      left_ = std::max(as_double(Base::left()), 0.0);
       bool done = false;
       if (!straight(done)) done = curved();
       if (done) return;
@@ -73,13 +72,9 @@ class Impact : private Straight<T> {
 
   /// Takes one Taylor step. Returns true at the end of the phase.
   bool curved() {
-    if (e_.cushion.slip == Slip::starts || e_.cloth.slip == Slip::starts) {
-      e_.unit = T(scale());
-      e_.vy[0] = vy_;
-      e_.work[0] = work_;
-      e_.expand(order_, sign_);
-      return cut(e_, reach(e_, -1));
-    }
+    const bool starts = e_.cushion.slip == Slip::starts || e_.cloth.slip == Slip::starts;
+    if (starts) expand_start();
+    if (starts || settles(e_.cushion) || settles(e_.cloth)) return cut(e_, reach(e_, -1));
     const int clock = nearest();
     e_.unit = T(scale());
     const auto now = [](const Contact& k) { return k.moves() ? k.direction : Vec2<T>{T(0), T(0)}; };
@@ -93,6 +88,35 @@ class Impact : private Straight<T> {
     slide_.work[0] = work_;
     slide_.expand(e_.nose, e_.sliding(), order_, static_cast<std::size_t>(clock), e_.unit, sign_);
     return cut(slide_, reach(slide_, clock));
+  }
+
+  /// Returns how far the last pass moved a slip.
+  double expand_start() {
+    e_.unit = T(scale());
+    e_.vy[0] = vy_;
+    e_.work[0] = work_;
+    return e_.expand(order_, sign_, tolerance_);
+  }
+
+  /// Expands a small slip as one that starts, if its direction settles far sooner than it grows or shrinks: other steps
+  /// would be as short as that. Returns false, and changes nothing, where the direction has not settled yet.
+  bool settles(Contact& k) {
+    const double size = as_double(k.size), squared = size * size;
+    if (k.slip != Slip::slides || squared * squared > tolerance_) return false;
+    // A settled direction turns about as fast as the other contact's, so T is about r.
+    if (magnitude(k.across[0]) > size + tolerance_ / size) return false;
+    if (!(order_ * std::abs(as_double(k.along[0])) < as_double(e_.stiffness(k)))) return false;
+    const Vec2<T> before = k.direction;
+    start(k);
+    const double moved = expand_start();
+    const Vec2<T> off = k.direction - before;
+    const double turned = size * std::hypot(magnitude(off.x), magnitude(off.y));
+    if (std::max(moved, turned) <= tolerance_ * share) return true;
+    k.direction = before;
+    k.slip = Slip::slides;
+    load();
+    e_.begin();
+    return false;
   }
 
   /// Returns the slip whose direction turns soonest.
@@ -139,7 +163,7 @@ class Impact : private Straight<T> {
     double longest = (2 * left_ + tolerance_) / as_double(e_.unit);
     for (int i = 0; i < 2; ++i) {
       const Contact& k = i == 0 ? e_.cushion : e_.cloth;
-      if (k.slip != Slip::slides || !(as_double(k.along[0]) < 0)) continue;
+      if (!k.moves() || !(as_double(k.along[0]) < 0)) continue;
       const double zero = -as_double(k.size) / (as_double(k.along[0]) * as_double(e_.unit));
       constexpr double e_folds = 8, nearly = 0.9;
       if (i == clock) return e_folds * zero;
@@ -201,7 +225,7 @@ class Impact : private Straight<T> {
   static constexpr double share = 0.5;  ///< share of the tolerance that one Taylor step may use
 
   int order_;
-  double left_ = 0;  ///< impulse left in this phase, roughly
+  double left_ = 0;  ///< impulse left in this phase, if the forces stay as they are
   Slide<T> slide_;
 };
 

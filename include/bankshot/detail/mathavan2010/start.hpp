@@ -4,6 +4,9 @@
 // the forces of law.hpp, for a slip that is 0 and grows. Each slip is written r f in polar form: r′ = N and r θ′ = T,
 // where N and T are the slip acceleration along and across f. These recurrences also start from r = 0, where a
 // direction needs T = 0. At order n they are linear in the coefficient θn, with the same slope −κ at every order.
+// A slip whose r is small, but not 0, and whose direction has settled, follows the same recurrences: what r θ′ adds to
+// T is taken from the pass before (the outer solution of a singular perturbation: Hinch, Perturbation Methods, 1991,
+// chapter 5).
 #pragma once
 
 #include <algorithm>
@@ -17,7 +20,7 @@ namespace bankshot::detail::mathavan {
 
 enum class Slip {
   sticks,  ///< is 0 and stays 0
-  starts,  ///< is 0 and grows
+  starts,  ///< is 0 and grows, or is small and in the direction in which it would grow from 0
   slides
 };
 
@@ -115,11 +118,12 @@ struct Start {
     return still - k.across[1];
   }
 
-  /// Computes θn of a contact that starts: (n r1 + κ) θn = Tn at θn = 0, less the terms of r2, r3, …
+  /// Computes θn of a contact that starts: (n r1 + κ) θn = Tn at θn = 0, less the terms of r2, r3, … and that of r0,
+  /// which is known from the pass before.
   void start_turning(Contact<T>& k, std::size_t n, const T& kappa) {
     const int order = static_cast<int>(n);
     forces(n);
-    T rest = unit * k.across[n];
+    T rest = unit * k.across[n] - k.r[0] * k.turn[n];
     for (std::size_t j = 2; j <= n; ++j) rest -= k.r[j] * k.turn[n - j];
     k.turn[n - 1] = T(order) * rest / (T(order) * k.r[1] + unit * kappa);
     turn_to(k, n);
@@ -142,20 +146,30 @@ struct Start {
   /// Computes order 0: the current forces and accelerations.
   void begin() {
     for (Contact<T>* k : {&cushion, &cloth}) {
-      k->r[0] = k->slip == Slip::slides ? k->size : T(0);
+      k->r[0] = k->moves() ? k->size : T(0);
       k->fx[0] = k->moves() ? k->direction.x : T(0);
       k->fy[0] = k->moves() ? k->direction.y : T(0);
     }
     forces(0);
   }
 
-  /// Computes all coefficients up to `order`, after begin(). `sign` is that of vy.
-  void expand(int order, double sign) {
+  /// Turns the direction of a small slip to where T is r θ′. Returns how far that moves it.
+  double settle(Contact<T>& k) {
+    const T by = (k.across[0] - k.size * k.turn[0] / unit) / stiffness(k);
+    const Vec2<T> d = k.direction + perpendicular(k.direction) * by;
+    k.direction = d / norm(d);
+    k.fx[0] = k.direction.x;
+    k.fy[0] = k.direction.y;
+    return as_double(k.size) * magnitude(by);
+  }
+
+  /// Computes all coefficients from those of order 0, and from what the pass before says of the turns.
+  void pass(int order, double sign) {
     T kappa[2]{};
     if (cushion.slip == Slip::starts) kappa[0] = stiffness(cushion);
     if (cloth.slip == Slip::starts) kappa[1] = stiffness(cloth);
     for (Contact<T>* k : {&cushion, &cloth})
-      if (k->slip == Slip::starts && k->along[0] < T(0)) k->along[0] = T(0);
+      if (k->slip == Slip::starts && !(as_double(k->size) > 0) && k->along[0] < T(0)) k->along[0] = T(0);
     integrate(0, sign);
     for (std::size_t n = 1; n < static_cast<std::size_t>(order); ++n) {
       for (Contact<T>* k : {&cushion, &cloth})
@@ -170,6 +184,27 @@ struct Start {
     for (Contact<T>* k : {&cushion, &cloth})
       if (k->slip == Slip::starts) k->turn[last - 1] = T(0);
     turn_to(last);
+  }
+
+  /// Computes all coefficients up to `order`, after begin(). `sign` is that of vy. A slip that starts at r > 0 needs so
+  /// many passes that r to that power is below the tolerance. Returns how far the last pass moved it.
+  double expand(int order, double sign, double tolerance) {
+    double size = 0;
+    for (Contact<T>* k : {&cushion, &cloth}) {
+      if (k->slip != Slip::starts) continue;
+      k->turn.fill(T(0));
+      size = std::max(size, as_double(k->size));
+    }
+    pass(order, sign);
+    double moved = 0;
+    for (double left = size; left > tolerance; left *= size) {
+      moved = 0;
+      for (Contact<T>* k : {&cushion, &cloth})
+        if (k->slip == Slip::starts) moved = std::max(moved, settle(*k));
+      forces(0);
+      pass(order, sign);
+    }
+    return moved;
   }
 
   /// Return the slip of contact k (0 cushion, 1 cloth) at σ = x, and its friction impulse per unit of P.

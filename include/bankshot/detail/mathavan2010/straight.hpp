@@ -32,18 +32,19 @@ class Straight : protected Switches<T> {
     return true;
   }
 
+  /// Returns the impulse that ends the phase if the forces stay as they are.
+  T left() const {
+    using std::sqrt;
+    const T rate = -e_.vy_rate[0];
+    if (sign_ > 0) return vy_ / rate;
+    const T rest = (target_ - work_) / e_.nose.cosine;
+    return T(2) * rest / (sqrt(vy_ * vy_ + T(2) * rate * rest) - vy_);
+  }
+
   /// Takes the rest of the phase, or of a slide that ends before it, in one straight step. Returns false if that is not
   /// exact to the tolerance. Sets `done` at the end of the phase.
   bool straight(bool& done) {
-    using std::sqrt;
-    const T rate = -e_.vy_rate[0];
-    T dp(0);
-    if (sign_ > 0) {
-      dp = vy_ / rate;
-    } else {
-      const T rest = (target_ - work_) / e_.nose.cosine;
-      dp = T(2) * rest / (sqrt(vy_ * vy_ + T(2) * rate * rest) - vy_);
-    }
+    T dp = left();
     Contact* ends = nullptr;
     for (Contact* k : {&e_.cushion, &e_.cloth}) {
       if (k->slip == Slip::starts) return false;

@@ -79,6 +79,7 @@ class Switches {
         if (cloth == 0 && cushion == 0) continue;
         w.slip = cushion == 0 ? Slip::sticks : Slip::starts;
         c.slip = cloth == 0 ? Slip::sticks : Slip::starts;
+        w.size = c.size = T(0);
         w.direction = {T(0), T(cushion)};
         c.direction = {T(0), T(cloth)};
         load();
@@ -90,12 +91,16 @@ class Switches {
     course_.jams = true;
   }
 
-  /// Finds the direction in which contact k leaves 0, where T = 0. The first guess is the direction of the force that
-  /// would keep the slip at 0. It is exact if the contact's inverse mass is isotropic. Newton's method improves it.
+  /// Finds the direction in which contact k leaves 0, where T = 0. The first guess is that of a small slip, or the
+  /// direction of the force that would keep the slip at 0. This one is exact if the contact's inverse mass is
+  /// isotropic. Newton's method improves it.
   void start(Contact& k) {
     using std::sqrt;
-    const T size = sqrt(k.ix[0] * k.ix[0] + k.iy[0] * k.iy[0]);
-    k.direction = {k.ix[0] / size, k.iy[0] / size};
+    if (!k.moves()) {
+      const T force = sqrt(k.ix[0] * k.ix[0] + k.iy[0] * k.iy[0]);
+      k.direction = {k.ix[0] / force, k.iy[0] / force};
+      k.size = T(0);
+    }
     k.slip = Slip::starts;
     bool last = false;
     constexpr int most = 50;
