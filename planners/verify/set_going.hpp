@@ -45,7 +45,9 @@ class SetGoing {
   /// Follows the shot from the moment when `struck`, the cue ball, touches the first ball, `begin` seconds after the
   /// launch.
   void run(const State<double>& struck, double begin) {
-    std::vector<BallStart<double>> balls{{&chain_.moving.front(), struck, 0}};
+    std::vector<BallStart<double>> balls;
+    balls.reserve(1 + chain_.balls.size());
+    balls.push_back({&chain_.moving.front(), struck, 0});
     for (std::size_t i = 0; i < chain_.balls.size(); ++i)
       balls.push_back({&chain_.moving[i + 1], {.at = chain_.balls[i]->at_rest.at}, chain_.balls[i]->ball});
     ManyBalls sim(std::span<const BallStart<double>>(balls), motion_, cushion_, collisions(request_.puzzle().physics));

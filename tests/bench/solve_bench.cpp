@@ -46,8 +46,12 @@ void rolling_count_robust(benchmark::State& s) { solve_set(s, test::Model::rolli
 void spin_sequence(benchmark::State& s) { solve_set(s, test::Model::spin, true, {.robustness = false}); }
 void ideal_sequence(benchmark::State& s) { solve_set(s, test::Model::ideal, true, {.robustness = false}); }
 void ideal_count(benchmark::State& s) { solve_set(s, test::Model::ideal, false, {.robustness = false}); }
-void rolling_ceres(benchmark::State& s) { solve_set(s, test::Model::rolling, true, {.planner = "ceres", .robustness = false}); }
-void rolling_sweep(benchmark::State& s) { solve_set(s, test::Model::rolling, false, {.planner = "sweep", .robustness = false}); }
+void rolling_ceres(benchmark::State& s) {
+  solve_set(s, test::Model::rolling, true, {.planner = "ceres", .robustness = false});
+}
+void rolling_sweep(benchmark::State& s) {
+  solve_set(s, test::Model::rolling, false, {.planner = "sweep", .robustness = false});
+}
 #if BANKSHOT_NLOPT
 void rolling_bobyqa(benchmark::State& s) {
   solve_set(s, test::Model::rolling, true, {.planner = "nlopt-bobyqa", .robustness = false});

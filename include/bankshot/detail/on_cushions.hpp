@@ -92,8 +92,9 @@ class OnCushions {
     const Vec2<N> at = value(centre);
     int found = 0;
     const auto try_wall = [&](const Wall& w) {
-      const N s = dot(w.along, at), gap = dot(w.normal, at) - N(w.offset);
-      if (found == 2 || !(abs(gap) <= near && s >= w.begin - near && s <= w.end + near)) return;
+      if (found == 2 || !(abs(dot(w.normal, at) - N(w.offset)) <= near)) return;
+      const N s = dot(w.along, at);
+      if (!(s >= w.begin - near && s <= w.end + near)) return;
       if (w.contact.kind == ContactKind::rail && boundary.break_at(w, static_cast<double>(s)) >= 0) return;
       settle(boundary, w.contact, centre);
       ++found;

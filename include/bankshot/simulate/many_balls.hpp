@@ -114,6 +114,8 @@ class ManyBalls {
         fresh_(balls.size(), false) {
     in_.rounding = {Number(balls.front().boundary->touch),
                     Number(law.lasts ? tolerance::still_contact : tolerance::along) * launch};
+    numbers_.reserve(balls.size());
+    changed_.reserve(balls.size());
     in_.balls.reserve(balls.size());
     in_.glances.resize(balls.size());
     for (const BallStart<T>& b : balls) {
