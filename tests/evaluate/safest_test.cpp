@@ -49,9 +49,11 @@ Shot shot_of(const SearchRequest& request, const Launch& launch) {
 /// Returns the largest value of all aims and speeds, if a launch must have `least` m/s to arrive.
 double largest_value(double least) {
   double best = 0;
-  for (double aim = -0.05; aim < 0.1; aim += 0.002)
-    for (double speed = least; speed < 2; speed += 0.005)
+  for (int i = 0; i < 75; ++i)
+    for (int k = 0; least + 0.005 * k < 2; ++k) {
+      const double aim = -0.05 + 0.002 * i, speed = least + 0.005 * k;
       best = std::max(best, made(aim) * below((speed - least) / 0.02) - cost_of(Launch{speed, aim}, {}));
+    }
   return best;
 }
 

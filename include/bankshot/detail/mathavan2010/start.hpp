@@ -196,8 +196,9 @@ struct Start {
       size = std::max(size, as_double(k->size));
     }
     pass(order, sign);
-    double moved = 0;
-    for (double left = size; left > tolerance; left *= size) {
+    double moved = 0, left = size;
+    while (left > tolerance) {
+      left *= size;
       moved = 0;
       for (Contact<T>* k : {&cushion, &cloth})
         if (k->slip == Slip::starts) moved = std::max(moved, settle(*k));
