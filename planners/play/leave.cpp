@@ -23,7 +23,6 @@
 #include "planners/play/leave_success.hpp"
 #include "planners/play/settings.hpp"
 #include "planners/play/two_pots.hpp"
-#include "planners/propose/proposers.hpp"
 #include "planners/verify/certify.hpp"
 
 namespace bankshot::planning::play {
@@ -31,7 +30,6 @@ namespace {
 
 using namespace settings::leave;
 using branch::aim;
-using branch::Box;
 using branch::log_speed;
 
 class Search {
@@ -42,8 +40,7 @@ class Search {
         found_(found),
         worth_(request.puzzle()),
         two_pots_(request),
-        launches_(request, budget, worth_),
-        box_(launches_.box()) {
+        launches_(request, budget, worth_) {
     const auto balls = request.problem->whole->balls();
     for (std::size_t k = 1; k < balls.size(); ++k)
       standing_.push_back({static_cast<int>(k), balls[k].boundary, balls[k].state.at});
@@ -184,15 +181,17 @@ class Search {
   }
 
   std::vector<LaunchSpin> spins_to_try() const {
+    const branch::Box& box = launches_.box();
     std::vector<LaunchSpin> out;
-    for (const double top : values(box_.low[branch::top], box_.high[branch::top]))
-      for (const double side : values(box_.low[branch::side], box_.high[branch::side]))
-        for (const double masse : values(box_.low[branch::masse], box_.high[branch::masse]))
+    for (const double top : values(box.low[branch::top], box.high[branch::top]))
+      for (const double side : values(box.low[branch::side], box.high[branch::side]))
+        for (const double masse : values(box.low[branch::masse], box.high[branch::masse]))
           out.push_back({top, side, masse});
     return out;
   }
 
   void follow_speeds(const Root& root, double shift, const LaunchSpin& spin) {
+    const branch::Box& box = launches_.box();
     Vector x = root.x;
     x[branch::top] = spin.top, x[branch::side] = spin.side, x[branch::masse] = spin.masse;
     const bool given = launches_.speed_given();
@@ -200,8 +199,8 @@ class Search {
       Vector from = x;
       if (!given)
         from[log_speed] = root.x[log_speed] + std::log(slowest) + i * std::log(fastest / slowest) / (grid_.speeds - 1);
-      if (!box_.free(log_speed)) from[log_speed] = box_.low[log_speed];
-      if (from[log_speed] < box_.low[log_speed] || from[log_speed] > box_.high[log_speed]) continue;
+      if (!box.free(log_speed)) from[log_speed] = box.low[log_speed];
+      if (from[log_speed] < box.low[log_speed] || from[log_speed] > box.high[log_speed]) continue;
       auto one = launches_.play_near(root, from, shift);
       // At another speed than the root's the middle may be blocked.
       if (!one && shift != 0 && !launches_.any_offset(root.branch)) one = launches_.play_near(root, from, 0);
@@ -226,7 +225,8 @@ class Search {
       std::set<std::pair<long, long>> known;
       for (std::size_t k = 0; k < std::min(grid_.nearest, from.size()) && !budget_.spent(); ++k) {
         const Launched& start = pool_[from[k].second];
-        const auto at = place(root.branch, budget_, {route, standing_}, wanted, box_, start.x, start.shift, vary);
+        const auto at =
+            place(root.branch, budget_, {route, standing_}, wanted, launches_.box(), start.x, start.shift, vary);
         if (!at) continue;
         // Two launches that agree to 1e-6 are one.
         constexpr double apart = 1e6;
@@ -456,7 +456,6 @@ class Search {
   LeaveWorth worth_;
   TwoPots two_pots_;
   Launches launches_;
-  const Box& box_;
   Grid grid_ = usual;
   bool left_ = true;  ///< some shot leaves the cue ball as asked
   std::vector<StandingBall> standing_;
