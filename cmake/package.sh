@@ -22,7 +22,7 @@ for kind; do
       ;;
     wheel)
       need $toolchain $python
-      python3 -m pip wheel --quiet --no-deps --no-build-isolation -w "$out" .
+      /usr/bin/python3 -m pip wheel --quiet --no-deps --no-build-isolation -w "$out" .
       ;;
     npm)
       command -v npm >/dev/null 2>&1 || need nodejs npm

@@ -337,9 +337,6 @@ class Search {
       }
       scale /= 2;
     }
-    order();
-    pool_.resize(std::min(told_apart(improved.front()), pool_.size()));
-    for (Launched& one : pool_) measure(one, judged_plays);
   }
 
   bool on_place(const Launched& one) const {
@@ -370,10 +367,10 @@ class Search {
       if (known.insert(way_of(one)).second) best.push_back(std::move(one));
     }
     pool_ = std::move(best);
-    if (!exact && request_.puzzle().prefer == Prefer::robust)
-      improve();
-    else
-      for (Launched& one : pool_) measure(one, judged_plays);
+    if (!exact && request_.puzzle().prefer == Prefer::robust) improve();
+    order();
+    pool_.resize(std::min(told_apart(improved.front()), pool_.size()));
+    for (Launched& one : pool_) measure(one, judged_plays);
     order();
     if (!request_.all()) return void(pool_.erase(pool_.begin() + 1, pool_.end()));
     std::set<std::pair<Route, Route>> listed;
