@@ -52,8 +52,9 @@ class Search {
       const EvaluationBudget::Part half(budget_, 2);
       const Range arrivals = request_.arrival.value_or(Range{arrival, arrival});
       look_by_stages(request_.starts_at(std::clamp(arrival, arrivals.low, arrivals.high), request_.spin), roots);
+      // Roots of another spin lead to launches of their own.
       for (const SearchRequest& sample : request_.samples())
-        if (pool_.empty() && !budget_.spent()) look_by_stages(sample, roots);
+        if (pool_.empty() || sample.asked == request_.asked) look_by_stages(sample, roots);
       follow_waiting_spins();
     }
     if (asked_place() && std::ranges::none_of(pool_, [&](const Launched& one) { return on_place(one); })) {

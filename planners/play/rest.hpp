@@ -3,8 +3,8 @@
 // The rest of the cue ball along a given branch, with derivatives, and the launch that reaches the target and
 // leaves the cue ball at a given place: two branches from one launch, that of the target and that of the cue ball.
 // Unknowns are the coordinates of a branch (solve/point.hpp). Method: the equations of the target are kept; what they
-// leave free brings the rest nearer by least change (Allgower & Georg, Introduction to Numerical Continuation Methods,
-// SIAM 2003, eq. 3.2.2). Where too little is free, the result is the nearest rest: Gauss and Newton's method.
+// leave free brings the rest nearer by least change (solve/least_change.hpp). Where too little is free, the result is
+// the nearest rest: Gauss and Newton's method.
 // Cost: two locked simulations a step, five steps from a launch nearby. Guarantee: none; a replay verifies the launch.
 #pragma once
 
@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "planners/solve/branch_search.hpp"
+#include "planners/solve/least_change.hpp"
 
 namespace bankshot::planning::play {
 
@@ -30,15 +30,9 @@ struct CuePath {
 std::optional<std::array<Value, 2>> rest_of(const SearchRequest& request, EvaluationBudget& budget, const CuePath& cue,
                                             const Vector& x, branch::Vary vary);
 
-/// The equations of a target at a point of its branch, in the units of residuals (trace/residual.hpp): that it is
-/// passed at the offset `shift` [m] from the exact line, or where it rests; and the arrival speed, if only one will do.
-struct TargetEquations {
-  std::array<Value, 2> each{};
-  std::size_t count = 0;
-  std::span<const Value> all() const& { return std::span(each).first(count); }
-  std::span<const Value> all() const&& = delete;
-};
-TargetEquations equations_of(const Branch& aim, const branch::Point& point, double shift);
+/// Returns the equations of a target at a point of its branch: that it is passed at the offset `shift` [m] from the
+/// exact line, or where it rests; and the arrival speed, if only one will do.
+branch::Equations equations_of(const Branch& aim, const branch::Point& point, double shift);
 
 /// Returns the launch near `x` that reaches its target, `shift` metres beside the exact line, and rests at `wanted`, or
 /// as near to it as it can.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planners/solve/branch_search.hpp"
-#include "bankshot/geometry/aim_point.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +12,7 @@
 #include "planners/evaluate/rank.hpp"
 #include "planners/evaluate/success.hpp"
 #include "planners/solve/settings.hpp"
+#include "planners/trace/arrival.hpp"
 #include "planners/verify/aftermath.hpp"
 #include "planners/verify/certify.hpp"
 
@@ -39,19 +40,6 @@ double likely_value(const Shot& shot) {
 
 }  // namespace
 
-Box box_of(const SearchRequest& request) {
-  const auto ln = [](double v) { return v > 0 ? std::log(v) : -infinite; };
-  const Range v = request.pinned ? Range{*request.pinned, *request.pinned} : request.speed;
-  const Range aims = request.angle.value_or(Range{-infinite, infinite});
-  const LaunchSpin& s = request.spin;
-  const SpinRange spin =
-      request.puzzle().spin_range.value_or(SpinRange{{s.top, s.top}, {s.side, s.side}, {s.masse, s.masse}});
-  Box box;
-  box.low << aims.low, ln(v.low), spin.top.low, spin.side.low, spin.masse.low;
-  box.high << aims.high, ln(v.high), spin.top.high, spin.side.high, spin.masse.high;
-  return box;
-}
-
 int BranchSearch::freedom(const SearchRequest& request) {
   const Box box = box_of(request);
   int free = 0;
@@ -72,7 +60,52 @@ BranchSearch::BranchSearch(const SearchRequest& request, EvaluationBudget& budge
       vary_(request.puzzle().spin_range ? Vary::spin_too : Vary::launch) {
   wide_.low[aim] = -infinite, wide_.high[aim] = infinite;
   if (box_.free(log_speed)) wide_.low[log_speed] = -infinite, wide_.high[log_speed] = infinite;
-  scale_ << scale_of_aim, scale_of_speed, scale_of_spin, scale_of_spin, scale_of_spin;
+}
+
+Equations BranchSearch::equations(const Point& p, bool& at_bound) const {
+  Equations out = passes(p);
+  if (request_.stop || request_.pinned || !request_.arrival) return out;
+  const auto counted = [&](double speed) { return even_square(request_.puzzle().physics, speed * speed); };
+  const double square = p.speed2.a, low = counted(request_.arrival->low), high = counted(request_.arrival->high);
+  at_bound = at_bound || !(square > low && square < high);
+  if (at_bound) out.add(speed_off(p, square < (low + high) / 2 ? low : high));
+  return out;
+}
+
+std::optional<Point> BranchSearch::corrected(const Vector& x, Box box, int held, double tolerance) {
+  if (held >= 0) box.low[held] = box.high[held] = x[held];
+  bool at_bound = false;
+  std::optional<Point> last;
+  const auto there = least_change(x, box, tolerance, [&](const Vector& at) -> std::optional<Equations> {
+    last = look(aim_, budget_, at, vary_);
+    return last ? std::optional(equations(*last, at_bound)) : std::nullopt;
+  });
+  if (!there) return {};
+  last->x = *there;
+  return last;
+}
+
+Eigen::MatrixXd BranchSearch::tangents(const Point& p) const {
+  bool at_bound = false;
+  const Equations found = equations(p, at_bound);
+  const bool any_speed = request_.arrival && !request_.arrival->fixed();
+  const std::span<const Value> rows =
+      any_speed ? found.all().first(static_cast<std::size_t>(p.equations)) : found.all();
+  std::vector<int> free;
+  for (int i = 0; i < coordinates; ++i)
+    if (wide_.free(i)) free.push_back(i);
+  const auto n = static_cast<Eigen::Index>(free.size()), m = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd a(n, m);
+  for (Eigen::Index k = 0; k < m; ++k)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const int c = free[static_cast<std::size_t>(i)];
+      a(i, k) = rows[static_cast<std::size_t>(k)].by[c] * scales()[c];
+    }
+  if (n <= m) return Eigen::MatrixXd(coordinates, 0);
+  const Eigen::MatrixXd all = Eigen::HouseholderQR<Eigen::MatrixXd>(a).householderQ();
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(coordinates, n - m);
+  for (Eigen::Index i = 0; i < n; ++i) out.row(free[static_cast<std::size_t>(i)]) = all.row(i).tail(n - m);
+  return out;
 }
 
 void BranchSearch::search() {
@@ -158,7 +191,7 @@ BranchSearch::Tried BranchSearch::climb(Tried at) {
     bool moved = false;
     for (const Vector& way : ways(at, turned)) {
       ++evaluations;
-      const auto p = corrected(at.at.x + step * scale_.cwiseProduct(way), box_);
+      const auto p = corrected(at.at.x + step * scales().cwiseProduct(way), box_);
       if (!p) continue;
       Tried t = clear(attempt(*p));
       if (!t.above(at)) continue;
@@ -180,7 +213,7 @@ std::vector<Vector> BranchSearch::ways(const Tried& from, double turned) const {
   Vector slope = Vector::Zero();
   if (from.made() && request_.puzzle().prefer == Prefer::soft) slope[log_speed] = -1;
   if (from.made() && request_.puzzle().prefer == Prefer::quick) slope = -from.at.time.by;
-  slope = basis * (basis.transpose() * scale_.cwiseProduct(slope));
+  slope = basis * (basis.transpose() * scales().cwiseProduct(slope));
   if (slope.norm() > 0) out.push_back(slope.normalized());
   for (Eigen::Index i = 0; i + 1 < basis.cols(); ++i) {
     const Eigen::VectorXd a = basis.col(i), b = basis.col(i + 1);
@@ -203,7 +236,7 @@ Shot BranchSearch::tuned(const Shot& shot) {
     std::optional<Shot> better;
     Point there;
     for (const Vector& way : ways({*at}, turned)) {
-      const auto next = corrected(at->x + step * scale_.cwiseProduct(way), box_);
+      const auto next = corrected(at->x + step * scales().cwiseProduct(way), box_);
       Tried t = next ? attempt(*next) : Tried{};
       if (!t.made()) continue;
       find_success(request_, budget_, t.proof->shot);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A search of one branch: all launches along one route that meet one aim point, where arrival speed or spin is free.
-//   corrected      the point of the branch nearest to a launch: Newton's method of least change, inside bounds
+//   corrected      the point of the branch nearest to a launch (solve/least_change.hpp)
 //   curve_through  continuation where one quantity is free: steps along the curve, both ways, until the arrival speed
 //                  or the spin ends. The replay judges the steps afterwards: only parts of a curve may be shots
 //   climb          where more is free, a compass search over the tangent space to a best shot by `prefer`
@@ -11,10 +11,8 @@
 // A best shot lies inside, at a bound, or where a cushion's end or a pocket cuts the branch; there the edge is
 // bisected.
 // Cost: three simulations a point; some 15 points a curve, 60 a surface. Guarantee: every shot that is kept is
-// verified. Nothing certifies that no better one exists; tests/stress measures it. Source: the corrector is Gauss's and
-// Newton's with the least norm (Allgower & Georg, Introduction to Numerical Continuation Methods, SIAM 2003, eq.
-// 3.2.2). The compass search is that of Kolda, Lewis & Torczon, SIAM Review 45, 2003, algorithm 3.2, on the tangent
-// space.
+// verified. Nothing certifies that no better one exists; tests/stress measures it. Source: the compass search is that
+// of Kolda, Lewis & Torczon, SIAM Review 45, 2003, algorithm 3.2, on the tangent space.
 #pragma once
 
 #include <array>
@@ -26,21 +24,13 @@
 
 #include "bankshot/geometry/aim_point.hpp"
 #include "planners/search_result.hpp"
+#include "planners/solve/least_change.hpp"
 #include "planners/solve/point.hpp"
 #include "planners/solve/settings.hpp"
 #include "planners/trace/clearance.hpp"
 #include "planners/verify/certify.hpp"
 
 namespace bankshot::planning::branch {
-
-/// Bounds on the coordinates of a launch.
-struct Box {
-  Vector low, high;
-  bool free(int i) const { return low[i] < high[i]; }
-};
-
-/// Returns the request's bounds; a fixed spin has equal ends.
-Box box_of(const SearchRequest& request);
 
 class BranchSearch {
  public:
@@ -78,19 +68,11 @@ class BranchSearch {
 
  private:
   using Curve = std::vector<Tried>;
-  /// The equations of a point: at most two for where it passes, and one for its speed.
-  struct Equations {
-    std::array<Value, 3> each{};
-    std::size_t count = 0;
-    void add(const Value& v) { each[count++] = v; }
-    std::span<const Value> all() const { return std::span(each).first(count); }
-  };
-
   /// Returns what must be 0. `at_bound` is set once the arrival speed is at an end of its range, where it then stays.
   Equations equations(const Point& p, bool& at_bound) const;
   /// Returns the point of the branch nearest to x. `held`: a coordinate that stays as it is. `tolerance`: size of the
   /// last step, in scales; the error left is about its square.
-  std::optional<Point> corrected(Vector x, const Box& box, int held = -1, double tolerance = settings::settled);
+  std::optional<Point> corrected(const Vector& x, Box box, int held = -1, double tolerance = settings::settled);
   /// Returns an orthonormal basis, in scales, of the changes that stay on the branch.
   Eigen::MatrixXd tangents(const Point& p) const;
   double merit(const Point& p) const;
@@ -145,7 +127,6 @@ class BranchSearch {
   Branch aim_;
   Box box_, wide_;
   Vary vary_;
-  Vector scale_;
 };
 
 /// Moves the shots that are printed, all or the first, along their branches to where success is largest.

@@ -28,10 +28,10 @@ void BranchSearch::extend(const Point& from, double way, Curve& out) {
   double h = 1;
   for (int i = 0; i < most_walked && !budget_.spent();) {
     if (leaves_for_good(at, t)) return;
-    const Vector guess = at.x + h * scale_.cwiseProduct(t);
+    const Vector guess = at.x + h * scales().cwiseProduct(t);
     const auto next = corrected(guess, wide_, -1, drops() ? loosely : settings::settled);
-    const double gone = next ? (next->x - at.x).cwiseQuotient(scale_).dot(t) : 0,
-                 pulled = next ? (next->x - guess).cwiseQuotient(scale_).norm() : infinite;
+    const double gone = next ? (next->x - at.x).cwiseQuotient(scales()).dot(t) : 0,
+                 pulled = next ? (next->x - guess).cwiseQuotient(scales()).norm() : infinite;
     const bool ends = next && at_end(*next);
     if (ends && gone > finest * h) out.push_back({*next});
     if (ends || (next && std::abs(gone) < settings::settled))
@@ -160,8 +160,8 @@ BranchSearch::Tried BranchSearch::edge(const Tried& inside_, const Tried& outsid
 
 /// Returns the point at the top of the parabola through three points of a curve, if that is higher.
 BranchSearch::Tried BranchSearch::peak(const Tried& low, const Tried& best, const Tried& high) {
-  const double a = -(best.at.x - low.at.x).cwiseQuotient(scale_).norm(),
-               b = (high.at.x - best.at.x).cwiseQuotient(scale_).norm();
+  const double a = -(best.at.x - low.at.x).cwiseQuotient(scales()).norm(),
+               b = (high.at.x - best.at.x).cwiseQuotient(scales()).norm();
   const double fa = low.merit - best.merit, fb = high.merit - best.merit;
   const double denominator = fa * b - fb * a;
   if (!(denominator != 0) || !(a < 0 && b > 0) || budget_.spent()) return best;

@@ -47,7 +47,7 @@ TEST_CASE("a launch on target is led to a place nearby, and stays on target") {
   CHECK(norm(Vec2d{(*there)[0].a, (*there)[1].a} - wanted) < 1e-10);
   const auto point = branch::look(s.branch, s.budget, *placed, branch::Vary::launch);
   REQUIRE(point);
-  const play::TargetEquations equations = play::equations_of(s.branch, *point, 0);
+  const branch::Equations equations = play::equations_of(s.branch, *point, 0);
   for (const branch::Value& e : equations.all()) CHECK(std::abs(e.a) < 1e-11);
 }
 
