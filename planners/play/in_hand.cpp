@@ -72,8 +72,11 @@ class Search {
     spent_.simulations += a.simulations;
     spent_.time_us += a.time_us;
     spent_.cost.work += a.cost.work;
-    if (a.shots.empty() || (best_ && !comes_before(puzzle_, a.shots.front(), *best_))) return false;
-    best_ = std::move(a.shots.front());
+    if (a.shots.empty()) return false;
+    Shot& shot = a.shots.front();
+    if (shot.robustness.value && may_double_hit(from_here, shot)) *shot.robustness.value -= double_hit;
+    if (best_ && !comes_before(puzzle_, shot, *best_)) return false;
+    best_ = std::move(shot);
     at_ = at;
     return true;
   }

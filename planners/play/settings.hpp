@@ -52,9 +52,6 @@ inline constexpr double step_across = 0.15, step_speed = 0.12, step_spin = 0.25;
 /// 24 in 6.
 inline constexpr std::size_t approached = 24;
 inline constexpr int approach_halvings = 6;
-/// Newton's steps, and the longest in the scales of a branch.
-inline constexpr int most_steps = 30;
-inline constexpr double longest_step = 1.5;
 /// Residual below which an equation is solved, as a share of the diagonal.
 inline constexpr double solved = 1e-12;
 }  // namespace leave
@@ -64,6 +61,8 @@ namespace in_hand {
 /// the steps of the compass search.
 inline constexpr double grid = 0.015, farthest_apart = 0.25, first_step = 0.03, last_step = 0.004;
 inline constexpr std::size_t starts_at_most = 8;
+/// Value less of a place where a double hit is likely: the rules forbid it, and the model does not know it.
+inline constexpr double double_hit = 0.01;
 }  // namespace in_hand
 
 namespace next_pot {
