@@ -23,7 +23,9 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build/tunables"
-ROOMS = ["", "family", "merit", "steps"]
+# `learn` does not search.
+ROOMS = sorted(str(file.parent.relative_to(ROOT / "planners")) for file in ROOT.glob("planners/**/settings.hpp")
+               if file.parent.name != "learn")
 DIFFERS = 0.005  # value
 FACTORS = (0.5, 2)
 COLUMNS = ["number", "value", "factor", "answers", "better", "worse", "net", "net_interval", "simulations_ratio"]
@@ -87,6 +89,8 @@ def question(kind, balls):
         return {"target": {"ball": "1"}, "cushions": {"min": 1, "max": 3}}
     if kind == 4:
         return {"target": {"pocket": "any"}, "cushions": {"max": 2}}
+    if kind == 5:
+        return {"target": {"game": "rotation"}}
     if balls == 1:
         return {"target": {"point": [1.9, 0.6]}, "cushions": {"max": 3}}
     return {"target": {"ball": "1", "then": {"ball": "2", "then": {"pocket": "any"}}}}
@@ -104,16 +108,17 @@ def layouts(seed, count):
             if not in_corner and all(math.dist(at, other) > 2.1 * RADIUS for other in places):
                 places.append(at)
         ball = {"at": places[0]}
-        if k % 6 == 4:
+        kind = k % 7
+        if kind == 4:
             ball["spin"] = {"top": [-1, 1], "side": [-0.7, 0.7]}
         others = [{"id": str(i), "at": at} for i, at in enumerate(places) if i > 0]
-        out.append({"table": "pool-9ft", "ball": ball, "others": others, **question(k % 6, balls)})
+        out.append({"table": "pool-9ft", "ball": ball, "others": others, **question(kind, balls)})
     return [json.dumps(puzzle) for puzzle in out]
 
 
 def make():
     """Writes the puzzles into a file, and returns its name."""
-    lines = layouts(990017, 120)
+    lines = layouts(990017, 140)
     for i, wish in enumerate(WISHES, 1):
         command = [str(BUILD / "bankshot"), "generate", "--count", "24", "--seed", str(88100 + i), *wish.split()]
         lines += subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
