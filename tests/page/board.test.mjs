@@ -124,6 +124,12 @@ describe('the board', () => {
     await page.click('#zone');
     await answered(page);
     assert.equal((await scene(page)).zone, undefined);
+    await page.goBack();
+    await answered(page);
+    await page.selectOption('#targets', 'play');
+    await answered(page);
+    assert.equal((await scene(page)).zone, undefined);
+    assert.match(await text(page, 'other'), /a game plans where the cue ball stops/);
     assert.deepEqual(complaints, []);
     await page.close();
   });
@@ -150,6 +156,36 @@ describe('the board', () => {
     assert.equal(new Set(ends).size, ends.length, `${ends}`);
     await page.locator('#shots summary').first().click();
     await page.locator('#shots details button').first().waitFor();
+    await page.close();
+  });
+
+  test('a kick that pots is called one, and its other ways are in order', async () => {
+    const { page } = await open(
+      browser,
+      `${server.url}#ball=1.27,0.63634&target=play&others=1.62,0.98,2.05,0.36,2.2,0.86,1.91745,0.72365&names=3,5,9,7&skill=0.6`,
+    );
+    await page.evaluate(() => document.querySelectorAll('#shots details').forEach((d) => (d.open = true)));
+    await page.locator('#shots details li').first().waitFor();
+    const ways = await page.locator('#shots > li').evaluateAll((items) =>
+      items.map((item) =>
+        [...item.querySelectorAll('details button')].map((b) => ({
+          share: Number(/\d+/.exec(b.querySelector('strong').textContent)[0]),
+          text: b.querySelector('span').textContent,
+        })),
+      ),
+    );
+    for (const all of ways) {
+      const shares = all.map(({ share }) => share);
+      assert.deepEqual(
+        shares,
+        [...shares].sort((a, b) => b - a),
+      );
+      assert.equal(new Set(all.map(({ text }) => text)).size, all.length);
+    }
+    await page.locator('#shots button', { hasText: 'kicked by' }).first().click();
+    assert.match(await text(page, 'title'), /^Kick the 3 by (top|bottom|left|right)/);
+    const said = await text(page, 'said');
+    assert.ok(said.startsWith(await text(page, 'title')), said);
     await page.close();
   });
 
@@ -230,12 +266,14 @@ describe('a stranger', () => {
     await page.selectOption('#tables', 'snooker-12ft');
     await answered(page);
     assert.equal((await scene(page)).names, 'red1,red2,red3');
+    const rotation = page.locator('[name=game] option[value=rotation]');
+    assert.ok(await rotation.evaluate((/** @type {HTMLOptionElement} */ option) => option.disabled));
     await page.selectOption('#tables', 'carom-10ft');
     await answered(page);
     assert.equal((await scene(page)).target, 'point');
     await page.selectOption('#tables', 'pool-9ft');
     await answered(page);
-    assert.deepEqual({ ...(await scene(page)), game: undefined }, { ...before, game: undefined });
+    assert.deepEqual(await scene(page), before);
     assert.deepEqual(complaints, []);
     await page.close();
   });

@@ -36,6 +36,25 @@ describe('a layout is kept and shared', () => {
     await page.close();
   });
 
+  test('of a file that was edited, what it says now is shown', async () => {
+    const { page } = await open(browser, `${server.url}#target=play&skill=0.4&${balls}`);
+    await page.locator('summary', { hasText: 'Keep and share' }).click();
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#json')]);
+    const path = `${tmpdir()}/bankshot-page-${process.pid}.json`;
+    await download.saveAs(path);
+    const puzzle = JSON.parse(readFileSync(path, 'utf8'));
+    puzzle.ball.at = [0.9, 0.3];
+    puzzle.others[1].at = [9, 0.95];
+    writeFileSync(path, JSON.stringify(puzzle));
+    await page.locator('#file').setInputFiles(path);
+    await page.waitForFunction(() => location.hash.includes('0.9,0.3'));
+    assert.match(await text(page, 'other'), /^No ball can stand where the file has the 7: moved\.$/);
+    const now = await scene(page);
+    assert.equal(now.skill, '0.4');
+    assert.ok(numbers(now.others)[2] < 2.54);
+    await page.close();
+  });
+
   test('every puzzle of the examples is opened, or the page says why not', async () => {
     const { page } = await open(browser, server.url);
     const folder = new URL('../../examples/puzzles/', import.meta.url);
@@ -88,9 +107,44 @@ describe('a layout is kept and shared', () => {
     await page.selectOption('#kept', 'league night');
     await answered(page);
     assert.deepEqual(await scene(page), before);
+    await page.click('#shots button >> nth=1');
+    const chosen = await text(page, 'title');
+    await page.fill('#name', 'league night');
+    await page.click('#keep');
+    assert.match(await text(page, 'other'), /^Kept as “league night”, in place of the one before\.$/);
     await page.reload();
     await answered(page);
     assert.equal(await page.locator('#kept option').count(), 2);
+    await page.click('#clear');
+    await page.locator('summary', { hasText: 'Keep and share' }).click();
+    await page.selectOption('#kept', 'league night');
+    await answered(page);
+    assert.equal(await text(page, 'title'), chosen);
+    page.once('dialog', (dialog) => dialog.accept());
+    await page.click('#forget');
+    assert.equal(await page.locator('#kept option').count(), 1);
+    await page.close();
+  });
+
+  test('the chosen shot stays when the table turns', async () => {
+    const { page } = await open(browser, `${server.url}#target=another ball&${balls}`);
+    await page.click('#shots button >> nth=1');
+    const [title, address] = [await text(page, 'title'), page.url()];
+    await page.setViewportSize({ width: 600, height: 900 });
+    // A table that stands on its end has other names for its pockets.
+    const turned = (is) =>
+      page.waitForFunction(
+        (is) =>
+          document.getElementById('table').dataset.turned === is &&
+          document.querySelector('#shots [data-shot="1"][aria-current=true]') !== null,
+        is,
+      );
+    await turned('true');
+    assert.equal(page.url(), address);
+    await page.setViewportSize({ width: 1300, height: 1000 });
+    await turned('');
+    assert.equal(await text(page, 'title'), title);
+    assert.equal(page.url(), address);
     await page.close();
   });
 

@@ -1,6 +1,6 @@
 // An answer in a coach's words: the list of shots, and the shot in view.
 import { called } from './balls.js';
-import { distance, pace, side, tips } from './units.js';
+import { distance, pace, side, speed, tips } from './units.js';
 
 const by = (cushions) => (cushions.length ? ' by ' + cushions.map(side).join(', ') : '');
 
@@ -8,7 +8,9 @@ const by = (cushions) => (cushions.length ? ' by ' + cushions.map(side).join(', 
 export function pattern(shot) {
   const sent = shot.then;
   if (shot.safety) return `safety off ${called(shot.hits[0].ball)}${by(shot.cushions)}`;
-  const way = sent?.pocket ? `${sent.ball} into ${side(sent.pocket)}${by(sent.cushions)}` : route(shot);
+  const way = sent?.pocket
+    ? `${sent.ball} into ${side(sent.pocket)}${by(sent.cushions)}${shot.cushions.length ? `, kicked${by(shot.cushions)}` : ''}`
+    : route(shot);
   return way + (shot.rattles ? ', off jaws' : '') + (shot.scratch ? ', SCRATCH' : '');
 }
 
@@ -33,17 +35,21 @@ export function heading(shot, target, status = '') {
   return plain(shot, target) + (shot.scratch ? ' – SCRATCH' : '');
 }
 
-/** Names the shot of an object ball that falls. */
-function sending({ ball, cushions, pocket, then }) {
-  if (then) return `Play ${called(ball)} onto ${called(then.ball)}, into ${side(then.pocket)}`;
+/** Names the shot of an object ball that falls. @param {any} shot */
+function sending({ cushions: kicked, then: { ball, cushions, pocket, then } }) {
+  const verb = (plain) => (kicked.length ? `Kick ${called(ball)}${by(kicked)}` : `${plain} ${called(ball)}`);
+  if (then) return `${verb('Play')} onto ${called(then.ball)}, into ${side(then.pocket)}`;
   const into = `into ${side(pocket)}`;
-  return cushions.length ? `Bank ${called(ball)}${by(cushions)} ${into}` : `Pot ${called(ball)} ${into}`;
+  // A rail that ends at the pocket leads a ball into it.
+  if (cushions.length === 1 && pocket.split('-').includes(cushions[0]))
+    return `${verb('Pot')} along the ${side(cushions[0])} rail ${into}`;
+  return verb(cushions.length ? 'Bank' : 'Pot') + (cushions.length ? by(cushions) : '') + ` ${into}`;
 }
 
 function plain(shot, target) {
   const first = shot.hits?.[0]?.ball;
   if (shot.safety) return `Play safe off ${called(first)}${by(shot.cushions)}`;
-  if (shot.then && (shot.then.pocket || shot.then.then)) return sending(shot.then);
+  if (shot.then && (shot.then.pocket || shot.then.then)) return sending(shot);
   if (first)
     return shot.cushions.length ? `Kick at ${called(first)}${by(shot.cushions)}` : `Hit ${called(first)} direct`;
   const into = target === 'point' && !shot.pocket ? 'the point' : side(shot.pocket ?? target);
@@ -104,10 +110,11 @@ function position({ leave, safety }) {
 
 /**
  * @param {any} shot
- * @param {{aim: string, table: any, plan?: any}} with
+ * @param {{aim: string, table: any, plan?: any, steady: boolean}} with `steady`: only these cushions count, so that the
+ *   margin says how sure the shot is
  * @returns {[string, string][]}
  */
-export function words(shot, { aim, table, plan }) {
+export function words(shot, { aim, table, plan, steady }) {
   const off = (v, more, less) => (v ? `${tips(Math.abs(v))} ${v > 0 ? more : less}` : '');
   const tip =
     shot.tip && [off(shot.tip.up, 'high', 'low'), off(shot.tip.right, 'right', 'left')].filter(Boolean).join(', ');
@@ -118,13 +125,13 @@ export function words(shot, { aim, table, plan }) {
     ['tip', tip || 'in the centre'],
   ];
   if (shot.contact) rows.push(['hit', fullness(shot.contact.fullness)]);
-  else rows.push(['arrives', `after ${shot.arrival.time.toFixed(2)} s at ${shot.arrival.speed.toFixed(2)} m/s`]);
+  else rows.push(['arrives', `after ${shot.arrival.time.toFixed(2)} s at ${speed(shot.arrival.speed)}`]);
   if (shot.rattles) rows.push(['but', 'off the jaws of a pocket']);
   const leaves = rests(shot, table);
   if (leaves && shot.hits?.length) rows.push(['cue ball', leaves]);
   if (shot.success !== undefined) rows.push(['success', percent(shot.success)]);
   rows.push(...position(shot));
-  if (shot.margin?.angle.every((v) => v !== null)) {
+  if (steady && shot.margin?.angle.every((v) => v !== null)) {
     const [less, more] = shot.margin.angle.map((v) => Math.abs(v).toFixed(2));
     rows.push(['margin', `${less}° to the right, ${more}° to the left`]);
   }
@@ -172,10 +179,23 @@ export function fill(list, shots, chosen, on) {
   for (const [best, ...more] of groups(shots).values()) {
     const item = document.createElement('li');
     item.append(entry(shots[best], best, best === chosen, on));
-    if (more.length) item.append(folded(shots, more, chosen, on));
+    if (more.length) item.append(folded(shots, distinct(shots, more), chosen, on));
     items.push(item);
   }
   list.replaceChildren(...items);
+}
+
+/** How likely a shot is made and leaves the cue ball as asked. @param {any} shot */
+const chance = (shot) => shot.leave?.success ?? shot.success;
+
+/** Says how one of the other ways is played. @param {any} shot */
+const way = (shot) => `${pattern(shot)}: ${shot.angle.toFixed(1)}°, ${speed(shot.speed)}`;
+
+/** Returns ways to the same end, likeliest first; of those that read alike the best. @param {number[]} more */
+function distinct(shots, more) {
+  const byWords = new Map();
+  for (const i of more) if (!byWords.has(way(shots[i]))) byWords.set(way(shots[i]), i);
+  return [...byWords.values()].sort((a, b) => (chance(shots[b]) ?? 0) - (chance(shots[a]) ?? 0));
 }
 
 /** Returns the other ways to the same end, which are listed once they are unfolded. @param {number[]} more */
@@ -206,14 +226,14 @@ export function mark(list, chosen) {
 
 /** Returns a line of the list; one of the other ways says how it is played, too. */
 function entry(shot, i, current, on, other = false) {
-  const [button, chance, text] = ['button', 'strong', 'span'].map((tag) => document.createElement(tag));
-  chance.textContent = percent(shot.leave?.success ?? shot.success); // what the list is ordered by
-  text.textContent = pattern(shot) + (other ? `: ${shot.angle.toFixed(1)}°, ${shot.speed.toFixed(2)} m/s` : '');
+  const [button, share, text] = ['button', 'strong', 'span'].map((tag) => document.createElement(tag));
+  share.textContent = percent(chance(shot));
+  text.textContent = other ? way(shot) : pattern(shot);
   text.classList.toggle('bad', Boolean(shot.scratch));
   button.setAttribute('type', 'button');
   button.dataset.shot = String(i);
   button.setAttribute('aria-current', String(current));
-  button.append(chance, ' ', text);
+  button.append(share, ' ', text);
   button.addEventListener('mouseenter', () => on.look(i));
   button.addEventListener('focus', () => on.look(i));
   button.addEventListener('click', () => on.choose(i));

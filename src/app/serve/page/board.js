@@ -4,6 +4,7 @@ import { draggable } from './drag.js';
 import { inside, snaps } from './layout.js';
 import { nameOf } from './state.js';
 import { metres, onPress, shape, upright } from './table.js';
+import { side } from './units.js';
 
 /**
  * @typedef {[number, number]} Point
@@ -76,7 +77,11 @@ export class Board {
     const cue = { where: () => hands.scene().ball, put: (at) => hands.put(-1, at) };
     this.movable('ball', 'Cue ball', 'ball', table.radius, cue);
     const { where, move } = hands.aim;
-    this.movable('cushion', 'First cushion point: the aim', 'cushion-point', 0.016, { where, put: move, aims: true });
+    this.movable('cushion', 'Aim: where the cue ball meets the first cushion', 'cushion-point', 0.016, {
+      where,
+      put: move,
+      aims: true,
+    });
     // A finger takes what is nearest, not what lies on top.
     layer.parentElement.addEventListener('pointerdown', (event) => this.nearest(event), true);
   }
@@ -109,7 +114,7 @@ export class Board {
       const attributes = { class: 'click', cx: hole[0], cy: hole[1], r: size, tabindex: 0, role: 'button' };
       const pocket = shape(
         'circle',
-        { ...attributes, 'aria-label': `Pocket ${name}`, 'data-pocket': name, 'stroke-width': 0.01 },
+        { ...attributes, 'aria-label': `Pocket ${side(name)}`, 'data-pocket': name, 'stroke-width': 0.01 },
         this.layer,
       );
       onPress(pocket, () => this.hands.pocket(name));

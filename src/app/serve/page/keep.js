@@ -33,20 +33,28 @@ function caption() {
 
 /**
  * @param {SVGSVGElement} svg
- * @param {{scene: () => state.Scene, tables: () => import('./table.js').Table[], begin: (scene: state.Scene) => void,
- *   write: () => void}} page `write` writes the address
+ * @param {{scene: () => state.Scene, tables: () => import('./table.js').Table[],
+ *   begin: (scene: state.Scene, launch?: any) => void, beginAt: (address: string) => void, write: () => void}} page
+ *   `write` writes the address of the scene and its shot
  */
-export function sharing(svg, { scene, tables, begin, write }) {
+export function sharing(svg, { scene, tables, begin, beginAt, write }) {
   const pressed = (id, f) => $(id).addEventListener('click', f);
   const say = (words) => ($('other').textContent = words);
 
   /** @param {string} text of a puzzle */
   const open = (text) => {
-    const { scene: next, left = [], error } = read(text, tables());
-    if (next) begin(next);
-    if (error) say(`It was not opened: ${error}.`);
-    else if (left.length) say(`The page does not show ${left.join(', ')} of this puzzle.`);
+    const { scene: next, launch, left = [], moved = [], error } = read(text, tables());
+    if (next) begin(next, launch);
+    const words = [
+      error ? `It was not opened: ${error}.` : '',
+      left.length ? `The page does not show ${left.join(', ')} of this puzzle.` : '',
+      moved.length ? `No ball can stand where the file has ${moved.join(', ')}: moved.` : '',
+    ];
+    say(words.filter(Boolean).join(' '));
   };
+  /** Returns the address of the scene and the shot in view. */
+  const address = () => (write(), location.hash.slice(1));
+
   /** @param {FileList} files */
   const openFirst = async ([file]) => file && open(await file.text());
 
@@ -72,26 +80,26 @@ export function sharing(svg, { scene, tables, begin, write }) {
     );
     say(copied ? 'The link is copied.' : 'The link is in the address bar.');
   });
-  pressed('json', () => save.json({ ...state.puzzle(scene()), about: { page: state.address(scene()) } }));
+  pressed('json', () => save.json({ ...state.puzzle(scene()), about: { page: address() } }));
   pressed('svg', () => save.svg(svg, caption()));
   pressed('png', () => save.png(svg, caption()));
   pressed('print', () => print());
   pressed('keep', () => {
     const name = $('name').value.trim() || new Date().toLocaleString();
-    say(
-      keep(place, { ...scenes(), [name]: state.address(scene()) })
-        ? `Kept as “${name}”.`
-        : 'This browser keeps nothing for this page.',
-    );
+    const instead = scenes()[name] ? ', in place of the one before' : '';
+    const done = keep(place, { ...scenes(), [name]: address() });
+    say(done ? `Kept as “${name}”${instead}.` : 'This browser keeps nothing for this page.');
     showKept();
   });
   $('kept').addEventListener('change', () => {
-    const address = scenes()[$('kept').value];
-    if (address) begin(state.read(address));
+    const known = scenes()[$('kept').value];
+    if (known) beginAt(known);
     $('name').value = $('kept').value;
   });
   pressed('forget', () => {
-    forget($('name').value);
+    const name = $('name').value;
+    if (!scenes()[name] || !confirm(`Forget “${name}”?`)) return;
+    forget(name);
     showKept();
   });
   showKept();

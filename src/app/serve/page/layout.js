@@ -111,13 +111,14 @@ let carried = '';
  */
 export function carry(scene, from, to) {
   if (JSON.stringify(placesOf({ ...scene, table: from.name })) !== carried)
-    laid = { ...placesOf(scene), table: from.name, from };
+    laid = { ...placesOf(scene), table: from.name, from, game: scene.game };
   const [sx, sy] = [to.length / laid.from.length, to.width / laid.from.width];
   const put = (/** @type {Point} */ [x, y]) =>
     /** @type {Point} */ (to.name === laid.table ? [x, y] : inside(to, [x * sx, y * sy]));
   scene.table = to.name;
   scene.point = put(laid.point);
   scene.names = to.name === laid.table || set(to) === set(laid.from) ? laid.names : named(to, laid.others.length);
+  if (scene.names === laid.names) scene.game = laid.game;
   if (laid.zone.length) scene.zone = [...put(laid.zone), laid.zone[2]];
   /** @type {Point[]} */
   const balls = [laid.ball, ...laid.others].map(put);

@@ -1,5 +1,4 @@
 // The page: the scene, its picture, and the engine's answer while things are dragged.
-import { freeName } from './balls.js';
 import { Board } from './board.js';
 import { Closer } from './closer.js';
 import * as controls from './controls.js';
@@ -8,7 +7,8 @@ import { holding, pointIn, settle } from './drag.js';
 import { ask, forget, onLost } from './engine.js';
 import { hang } from './gallery.js';
 import { sharing } from './keep.js';
-import { apart, carry, free, inside } from './layout.js';
+import { apart, carry, inside } from './layout.js';
+import { laying } from './laying.js';
 import { mend } from './mend.js';
 import { menus, showHistory, showSkill } from './menus.js';
 import { Practice } from './practice.js';
@@ -58,11 +58,15 @@ function write() {
   state.write(scene, view.chosen ? view.shot() : null);
 }
 
-/** Begins another scene. @param {state.Scene} next */
-function begin(next) {
+/** Begins another scene. @param {state.Scene} next @param {any} [launch] of the shot to be in view */
+function begin(next, launch = null) {
   $('sheet').textContent = '';
   change(() => (scene = next));
+  view.wanted = launch;
 }
+
+/** Begins the scene of an address, with its shot in view. @param {string} [address] the page's own without it */
+const beginAt = (address) => begin(state.read(address), state.launchOf(address));
 
 // ---- the scene ----
 
@@ -89,14 +93,24 @@ const hands = {
     solve();
   },
   says: (name, at) => ($('place').textContent = `${name}: ${units.place(at, table)}`),
-  removed: (i) => change(() => (i < 0 ? (scene.zone = []) : state.removeBall(scene, i))),
+  removed(i) {
+    change(() => (i < 0 ? (scene.zone = []) : state.removeBall(scene, i)));
+    svg.querySelector('[data-grip="ball"]')?.focus(); // what had the focus is gone
+  },
+  // The planner goes on to choose the spin if it does now.
   clicked: (i) =>
-    change(() => Object.assign(scene, { target: state.hit, object: state.nameOf(scene, i), order: [], least: 0 })),
+    change(() => {
+      const choose = state.chooses(scene);
+      Object.assign(scene, { target: state.hit, object: state.nameOf(scene, i), order: [], least: 0, choose });
+    }),
   pocket(name) {
     const planned = view.shot()?.then?.ball;
     const object = [state.pot, state.hit].includes(scene.target) ? scene.object : planned;
     const known = state.namesOf(scene).includes(object);
-    change(() => Object.assign(scene, known ? { target: state.pot, object, into: name } : { target: name }));
+    change(() => {
+      const choose = state.chooses(scene);
+      Object.assign(scene, known ? { target: state.pot, object, into: name, choose } : { target: name });
+    });
   },
   snaps: () => $('snap').checked,
   aim: {
@@ -111,7 +125,7 @@ const hands = {
 
 /** Draws everything anew, after a change that is not a movement. */
 function rebuild() {
-  const { grip, cushion } = svg.querySelector(':focus')?.dataset ?? {};
+  const [[kind, focused] = []] = Object.entries(svg.querySelector(':focus')?.dataset ?? {});
   table = tables.find(({ name }) => name === scene.table) ?? tables[0];
   mend(scene, table);
   stood = null;
@@ -123,7 +137,7 @@ function rebuild() {
   layers.own = shape('g', {}, layers.paths);
   view.empty();
   board = new Board(svg, layers.grips, table, hands);
-  svg.querySelector(grip ? `[data-grip="${grip}"]` : `[data-cushion="${cushion}"]`)?.focus(); // as before
+  if (kind) svg.querySelector(`[data-${kind}="${focused}"]`)?.focus(); // as before
   show();
   forget('solve'); // its answer would be drawn on another table
   solve();
@@ -173,6 +187,8 @@ function showTip(shot) {
   if (scene.physics === 'spin' && state.chooses(scene) && shot) drawTip(shot.spin);
 }
 
+const { addBall, nextName, placeInHand } = laying({ ...parts, change });
+
 const drawTray = tray($('tray'), svg, {
   add: addBall,
   remove: (name) => change(() => state.removeBall(scene, state.namesOf(scene).indexOf(name))),
@@ -190,42 +206,19 @@ zoning(svg, $('zone'), {
   removed: () => change(() => (scene.zone = [])),
 });
 
-/**
- * Adds a ball at a place, from which it pushes others away, or without one where there is room.
- * @param {string} name @param {[number, number]} [at]
- */
-function addBall(name, at) {
-  const place = at ? inside(table, at) : free(table, [scene.ball, ...scene.others]);
-  if (!place) return;
-  change(() => {
-    state.addBall(scene, name, place);
-    const balls = apart(table, [scene.ball, ...scene.others], scene.others.length);
-    if (balls) [scene.ball, ...scene.others] = balls;
-  });
-}
-
-const nextName = () => freeName(table, state.namesOf(scene));
-
-/** Puts the cue ball, which is in hand, where the shot is best. */
-async function placeInHand() {
-  $('other').textContent = 'Looking for the best place …';
-  const asked = state.puzzle(scene);
-  const answer = await ask('solve', { ...asked, ball: { ...asked.ball, at: 'anywhere' } }, 'place');
-  if (!answer) return;
-  if (answer.ball) change(() => (scene.ball = inside(table, answer.ball.at)));
-  $('other').textContent = answer.ball
-    ? 'The cue ball stands where the shot is best.'
-    : `No place was found: ${answer.error?.reason ?? answer.message}.`;
-}
-
 /** Keys of the scene whose change requires a new drawing. */
 const shapes = ['table', 'target', 'game', 'group', 'object', 'into', 'physics', 'choose'];
 
 /** @param {string} key of the scene that a control has set */
 function changed(key) {
+  let said = '';
   if (key === 'table') {
     const to = tables.find(({ name }) => name === scene.table);
     carry(scene, table, to);
+  }
+  if (key === 'target' && scene.target === state.play && scene.zone.length) {
+    scene.zone = [];
+    said = 'The circle is gone: a game plans where the cue ball stops.';
   }
   if (key === 'skill') showSkill(scene);
   if (key === 'aiming' || key === 'pacing') {
@@ -242,6 +235,7 @@ function changed(key) {
   }
   if (shapes.includes(key)) rebuild();
   else solve();
+  if (said) $('other').textContent = said;
 }
 
 /** Goes back or forth in the history. @param {'undo' | 'redo'} way */
@@ -272,22 +266,26 @@ function listen() {
   pressed('redo', () => turn('redo'));
   pressed('play', () => view.start(1));
   pressed('slow', () => view.start(0.25));
-  sharing(svg, { ...parts, tables: () => tables, begin, write });
+  sharing(svg, { ...parts, tables: () => tables, begin, beginAt, write });
   closer.listen();
   practice.listen();
   on('paths', 'change', () => view.look());
   on('inches', 'change', () => (units.useInches($('inches').checked), view.look()));
   hang($('gallery'), (address, name) => {
-    begin(state.read(address));
+    const next = state.read(address);
+    begin(next.skill < 0 ? { ...next, skill: scene.skill } : next);
     $('sheet').textContent = `${name}. Made: ___ of 10.`; // for who prints it
   });
   svg.addEventListener('dblclick', (event) => {
     if (event.target.classList.contains('cloth')) addBall(nextName(), pointIn(svg, event));
   });
   addEventListener('resize', () => board.placeAll());
-  upended.addEventListener('change', rebuild);
+  upended.addEventListener('change', () => {
+    view.wanted = view.chosen ? view.shot() : null;
+    rebuild();
+  });
   const elsewhere = () => state.address(state.read()) !== state.address(scene);
-  addEventListener('popstate', () => elsewhere() && begin(state.read()));
+  addEventListener('popstate', () => elsewhere() && beginAt());
   addEventListener('keydown', (event) => {
     const key = event.key.toLowerCase();
     if (!(event.ctrlKey || event.metaKey) || !['z', 'y'].includes(key) || holding()) return;

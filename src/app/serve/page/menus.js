@@ -45,6 +45,9 @@ export function menus(form, scene, table, tables) {
   const elements = /** @type {any} */ (form.elements);
   controls.show(form, scene);
   showSkill(scene);
+  // The games of pool go by numbers.
+  const numbered = state.namesOf(scene).every((name) => Number(name) > 0);
+  for (const option of elements.game.options) option.disabled = !numbered && option.value !== 'any';
   const is = (...all) => all.includes(scene.target);
   for (const [name, wanted] of /** @type {[string, boolean][]} */ ([
     ['game', is(state.play)],

@@ -1,4 +1,6 @@
 // Reads a puzzle, as the program takes it, into a scene of the page.
+import { called } from './balls.js';
+import { within } from './layout.js';
 import * as state from './state.js';
 
 const isPoint = (v) => Array.isArray(v) && v.length === 2 && v.every(Number.isFinite);
@@ -50,14 +52,15 @@ const shown = ['id', 'about', 'table', 'unit', 'physics', 'ball', 'others', 'tar
 const zoneOf = ({ leave }, unit) =>
   isPoint(leave?.point) ? [...leave.point.map((v) => v * unit), leave.within ?? 0.1] : undefined;
 
-/** Returns what of a puzzle the page does not show. */
-function missing(puzzle) {
+/** Returns what of a puzzle the page does not show. @param {(key: string) => boolean} own as the page wrote it */
+function missing(puzzle, own) {
   const left = Object.keys(puzzle).filter((key) => ![...shown, 'prefer', 'noise', 'leave'].includes(key));
-  if (puzzle.leave && !zoneOf(puzzle, 1)) left.push('leave');
+  if (puzzle.leave && !zoneOf(puzzle, 1) && !own('leave')) left.push('leave');
   if (puzzle.prefer && !isText(puzzle.prefer)) left.push('prefer');
   if (Array.isArray(puzzle.target?.then?.cushions)) left.push('the order of the object ball’s cushions');
   if (puzzle.ball.spin?.masse) left.push('masse');
-  if (Object.keys(puzzle.noise ?? {}).some((key) => !['angle', 'speed'].includes(key))) left.push('noise');
+  const errors = Object.keys(puzzle.noise ?? {});
+  if (errors.some((key) => !['angle', 'speed'].includes(key)) && !own('noise')) left.push('the player’s errors');
   return left;
 }
 
@@ -85,29 +88,48 @@ function places(puzzle, table) {
   };
 }
 
-/**
- * Returns the scene of a puzzle. A file that the page has written brings its own address along.
- * @param {string} text
- * @param {import('./table.js').Table[]} tables
- * @returns {{scene?: state.Scene, left?: string[], error?: string}} `left`: keys that the page does not show
- */
-export function read(text, tables) {
-  const { puzzle, error } = parsed(text);
-  if (error) return { error };
-  if (isText(puzzle.about?.page)) return { scene: state.read(puzzle.about.page) };
-  const table = tables.find(({ name }) => name === puzzle.table);
-  if (!table) return { error: 'it is no puzzle on one of the page’s tables' };
+/** Returns the balls of a scene that stand where none can. @param {state.Scene} scene */
+function outside(scene, table) {
+  const stands = (at) => String(within(table, at)) === String(at);
+  const others = state.namesOf(scene).filter((_, i) => !stands(scene.others[i]));
+  return [...(stands(scene.ball) ? [] : ['the cue ball']), ...others.map(called)];
+}
+
+/** Returns the scene of a puzzle's own keys. @returns {any} an object with the error if the page has none like it */
+function sceneOf(puzzle, table) {
   if (!isPoint(puzzle.ball?.at)) return { error: 'the cue ball has no place in it' };
   const target = targets.find(([is]) => is(puzzle.target));
   if (!target) return { error: 'the page has no target like this one' };
   const { top, side } = puzzle.ball.spin ?? {};
   /** @type {any} */
-  const scene = {
-    ...structuredClone(state.first),
-    table: table.name,
-    choose: Array.isArray(top) || Array.isArray(side),
-  };
+  const scene = { ...structuredClone(state.first), table: table.name, choose: [top, side].some(Array.isArray) };
   for (const [key, where, is] of /** @type {[string, Function, Function][]} */ (keys))
     if (is(where(puzzle))) scene[key] = where(puzzle);
-  return { scene: { ...scene, ...target[1](puzzle.target), ...places(puzzle, table) }, left: missing(puzzle) };
+  return { scene: Object.assign(scene, target[1](puzzle.target), places(puzzle, table)) };
+}
+
+/**
+ * Returns the scene of a puzzle. A file that the page has written brings its own address along, which holds for what
+ * nobody has edited since.
+ * @param {string} text
+ * @param {import('./table.js').Table[]} tables
+ * @returns {{scene?: state.Scene, launch?: any, left?: string[], moved?: string[], error?: string}} `left`: keys that
+ *   the page does not show; `moved`: balls that stand elsewhere than in the file
+ */
+export function read(text, tables) {
+  const { puzzle, error } = parsed(text);
+  if (error) return { error };
+  const page = isText(puzzle.about?.page) ? puzzle.about.page : '';
+  const own = page ? state.read(page) : null;
+  const written = own && state.puzzle(own);
+  const isOwn = (key) => own !== null && JSON.stringify(puzzle[key]) === JSON.stringify(written[key]);
+  if (own && Object.keys({ ...puzzle, ...written }).every((key) => key === 'about' || isOwn(key)))
+    return { scene: own, launch: state.launchOf(page) };
+  const table = tables.find(({ name }) => name === puzzle.table);
+  if (!table) return { error: 'it is no puzzle on one of the page’s tables' };
+  const { scene, error: unlike } = sceneOf(puzzle, table);
+  if (unlike) return { error: unlike };
+  if (isOwn('noise')) scene.skill = own.skill;
+  if (isOwn('leave')) scene.zone = own.zone;
+  return { scene, left: missing(puzzle, isOwn), moved: outside(scene, table) };
 }

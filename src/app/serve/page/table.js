@@ -75,7 +75,7 @@ export function onPress(element, f) {
 /** Adds the areas on which a click adds a cushion to the order. */
 function clickable(all, table, clicked) {
   for (const [name, [x, y, width, height]] of Object.entries(rails(table))) {
-    const label = `${name} cushion: add it to the order`;
+    const label = `${seen(name)} cushion: add it to the order`;
     const attributes = { class: 'click', x, y, width, height, tabindex: 0, role: 'button', 'aria-label': label };
     const rail = shape('rect', { ...attributes, 'data-cushion': name, 'stroke-width': 0.01 }, all);
     onPress(rail, () => clicked(name));

@@ -66,11 +66,14 @@ const paces = /** @type {[number, string][]} */ ([
   [Infinity, 'powerful break'],
 ]);
 
+/** Returns a speed in the player's unit. @param {number} v in m/s */
+export const speed = (v) => (inches ? `${(v / mile).toFixed(1)} mph` : `${v.toFixed(2)} m/s`);
+
 /** Says how hard a shot is played. @param {number} v in m/s */
 export function pace(v) {
   const mph = v / mile;
-  const hour = inches ? `${mph.toFixed(1)} mph` : `${(v / kilometre).toFixed(1)} km/h`;
-  return `${paces.find(([up]) => mph < up)[1]}: ${v.toFixed(2)} m/s, ${hour}`;
+  const hour = inches ? '' : `, ${(v / kilometre).toFixed(1)} km/h`;
+  return `${paces.find(([up]) => mph < up)[1]}: ${speed(v)}${hour}`;
 }
 
 /** @param {[number, number]} at @param {{length: number, width: number}} table */

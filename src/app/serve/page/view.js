@@ -35,6 +35,7 @@ export class View {
     tell($('words'), []);
     $('shots').replaceChildren();
     for (const id of ['playing', 'why', 'every']) $(id).hidden = true;
+    for (const id of ['status', 'place', 'other']) $(id).textContent = '';
     /** @type {any[]} */
     this.shots = [];
     this.chosen = 0;
@@ -61,7 +62,7 @@ export class View {
   /** Shows all shots. The best one stays in view unless a better one was found, or the user chose another. */
   all(answer) {
     const picked = this.picked === document.body.dataset.asked;
-    const was = picked ? this.shot() : (this.wanted ?? this.shots[0]);
+    const was = this.wanted ?? (picked ? this.shot() : this.shots[0]);
     const found = answer.shots ?? [];
     if (found.length || !this.shots.length) this.widen(answer, found, was, picked || Boolean(this.wanted));
     else this.last = { ...this.last, wider: answer.error?.reason ?? 'the wider search ended at its budget' };
@@ -156,7 +157,8 @@ export class View {
     $('why').hidden = !shot;
     const over = shot && sight(table(), scene().ball, shot.angle).words;
     const plan = i === 0 ? this.plan : undefined;
-    tell($('words'), shot ? words(shot, { aim: over, table: table(), plan }) : []);
+    const steady = !state.sends(scene()) || scene().most === 0;
+    tell($('words'), shot ? words(shot, { aim: over, table: table(), plan, steady }) : []);
     shown(shot);
     if (document.body.dataset.asked === document.body.dataset.answered) this.lookOn(shot);
   }
@@ -196,6 +198,7 @@ export class View {
     mark($('shots'), i);
     this.look();
     this.page.closer().look();
+    $('said').textContent = this.spoken();
     state.write(this.page.scene(), i ? this.shot() : null);
     this.start(1);
   }
