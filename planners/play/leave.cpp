@@ -51,10 +51,16 @@ class Search {
       // The other half of the budget is for the climbs.
       const EvaluationBudget::Part half(budget_, 2);
       const Range arrivals = request_.arrival.value_or(Range{arrival, arrival});
-      look_by_stages(request_.starts_at(std::clamp(arrival, arrivals.low, arrivals.high), request_.spin), roots);
-      // Roots of another spin lead to launches of their own.
-      for (const SearchRequest& sample : request_.samples())
-        if (pool_.empty() || sample.asked == request_.asked) look_by_stages(sample, roots);
+      const std::vector<LaunchSpin> spins = spins_to_try();
+      look_by_stages(request_.starts_at(std::clamp(arrival, arrivals.low, arrivals.high), request_.spin), spins, roots);
+      // Roots of another side spin lead to launches of their own.
+      for (const SearchRequest& sample : request_.samples()) {
+        if (!pool_.empty() && sample.asked != request_.asked) continue;
+        const auto off = [&](const LaunchSpin& s) { return std::abs(s.side - sample.spin.side) > settings::alike; };
+        std::vector<LaunchSpin> alike = spins;
+        std::erase_if(alike, off);
+        look_by_stages(sample, alike, roots);
+      }
       follow_waiting_spins();
     }
     if (asked_place() && std::ranges::none_of(pool_, [&](const Launched& one) { return on_place(one); })) {
@@ -67,14 +73,15 @@ class Search {
   }
 
  private:
-  /// Looks for roots by ever more cushions, at the arrival speed and the spin of `starts`.
-  void look_by_stages(const SearchRequest& starts, const Roots& roots) {
+  /// Looks for roots by ever more cushions, at the arrival speed and the spin of `starts`, and follows them over these
+  /// spins.
+  void look_by_stages(const SearchRequest& starts, std::span<const LaunchSpin> spins, const Roots& roots) {
     const bool sent = request_.problem->then() != nullptr;
     const CushionRule &cue = request_.cue_cushions, object = sent ? request_.object_cushions : CushionRule::exactly(0);
-    if (request_.problem->carom()) return look(request_, starts, roots);
+    if (request_.problem->carom()) return look(request_, starts, spins, roots);
     for (int n = cue.min + object.min; n <= cue.max + object.max && !over(n); ++n)
       for (int c = std::max(cue.min, n - object.max); c <= std::min(cue.max, n - object.min); ++c) {
-        look(request_.stage(c, n - c), starts, roots);
+        look(request_.stage(c, n - c), starts, spins, roots);
         if (budget_.spent() && found_.not_searched < 0) found_.not_searched = n;
       }
   }
@@ -97,7 +104,8 @@ class Search {
   }
 
   /// The roots of a stage, and all that they lead to.
-  void look(const SearchRequest& stage, const SearchRequest& sample, const Roots& roots) {
+  void look(const SearchRequest& stage, const SearchRequest& sample, std::span<const LaunchSpin> spins,
+            const Roots& roots) {
     SearchRequest starts = stage.starts_at(sample.asked, sample.spin);
     if (!request_.all() && !pool_.empty()) starts.likelier = std::max(0.0, best_value());
     SearchResult candidates;
@@ -112,10 +120,9 @@ class Search {
       }
       roots_.push_back({{request_, routes_.back(), c.aim_point}, x});
       launches_.look_across(roots_.back());
-      const std::vector<LaunchSpin> spins = spins_to_try();
       // There are many launches of each spin where any contact counts, so all spins but one wait for all roots.
       const std::size_t now = launches_.any_offset(roots_.back().branch) ? 1 : spins.size();
-      if (is_hopeful(roots_.back())) follow(roots_.back(), std::span(spins).first(now));
+      if (is_hopeful(roots_.back())) follow(roots_.back(), spins.first(now));
     }
   }
 
