@@ -88,3 +88,12 @@ TEST_CASE("from the place that is chosen the pot is at least as good as from pla
   REQUIRE(again.shots.front().placed);
   CHECK(*again.shots.front().placed == *shot.placed);
 }
+
+TEST_CASE("the cue ball in hand is not put where a double hit is likely, if another place is as good") {
+  const Puzzle asked = read_puzzle(R"({"table": "pool-9ft", "ball": {"at": "anywhere"}, "target": {"game": "rotation"},
+    "others": [{"id": "7", "at": [1.651, 0.9843]}, {"id": "8", "at": [2.1907, 0.254]}, {"id": "9", "at": [0.4445, 1.0477]}]})");
+  const Answer a = solve(asked, {.depth = 0});
+  REQUIRE(!a.shots.empty());
+  CHECK(a.shots[0].leave->success > 0.97);
+  CHECK_FALSE(may_double_hit(as_played(asked, a.shots[0]), a.shots[0]));
+}
