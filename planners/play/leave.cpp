@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "bankshot/numbers/tolerances.hpp"
-#include "planners/evaluate/first_order.hpp"
 #include "planners/evaluate/rank.hpp"
 #include "planners/play/launches.hpp"
 #include "planners/play/leave_success.hpp"
@@ -122,23 +121,8 @@ class Search {
       launches_.look_across(roots_.back());
       // There are many launches of each spin where any contact counts, so all spins but one wait for all roots.
       const std::size_t now = launches_.any_offset(roots_.back().branch) ? 1 : spins.size();
-      if (is_hopeful(roots_.back())) follow(roots_.back(), spins.first(now));
+      follow(roots_.back(), spins.first(now));
     }
-  }
-
-  /// Returns whether some launch of a root's branch may leave the cue ball better than the best so far: whether the
-  /// root makes its target so often, to first order, or less often by what speed and spin may add.
-  bool is_hopeful(const Root& root) {
-    const double best = best_value();
-    if (request_.all() || !(best > 0)) return true;
-    Proof proof = launches_.prove_at(root.x);
-    if (!proof.replayed || proof.shot.path.hits.empty()) return true;
-    const SearchRequest own = request_.spinning(branch::spin_of(root.x));
-    add_first_order(own, proof.shot, budget_.work());
-    const double estimate = std::max(launches_.likely(root, root.middle(), proof.shot),
-                                     estimate_in_middle(own, proof.shot, budget_.work()));
-    return success_at_most(own, root.branch.aim_point, estimate) + spin_adds - cost_of_contacts(proof.shot.contacts()) >
-           best;
   }
 
   /// Values of a free spin, those nearest to none first.
@@ -184,7 +168,7 @@ class Search {
     for (std::size_t i = 1; i < spins.size(); ++i)
       for (const Root& root : roots_) {
         if (budget_.spent()) return;
-        if (launches_.any_offset(root.branch) && is_hopeful(root)) follow(root, std::span(spins).subspan(i, 1));
+        if (launches_.any_offset(root.branch)) follow(root, std::span(spins).subspan(i, 1));
       }
   }
 
