@@ -93,7 +93,7 @@ std::optional<Vector> place(const Branch& a, EvaluationBudget& budget, const Cue
   return best;
 }
 
-std::optional<Vector> on_target(const Branch& a, EvaluationBudget& budget, const branch::Box& box, Vector x,
+std::optional<Vector> on_target(const Branch& a, EvaluationBudget& budget, const branch::Box& box, const Vector& x,
                                 double shift) {
   const SearchRequest& request = a.request;
   branch::Box moved{x, x};

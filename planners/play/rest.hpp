@@ -41,7 +41,7 @@ std::optional<Vector> place(const Branch& aim, EvaluationBudget& budget, const C
 
 /// Returns the launch beside `x` that reaches its target, by a change of the aim, and of the speed if the target has
 /// two equations.
-std::optional<Vector> on_target(const Branch& aim, EvaluationBudget& budget, const branch::Box& box, Vector x,
+std::optional<Vector> on_target(const Branch& aim, EvaluationBudget& budget, const branch::Box& box, const Vector& x,
                                 double shift);
 
 }  // namespace bankshot::planning::play

@@ -48,7 +48,7 @@ Column least_step(const System& kept, const System& wanted) {
   if (kept.a.rows() == 1 && wanted.a.rows() == 0)
     return kept.a.row(0).transpose() * (kept.r[0] / kept.a.row(0).squaredNorm());
   const Eigen::CompleteOrthogonalDecomposition<Rows> onto(kept.a);
-  const Column first = onto.solve(kept.r);
+  Column first = onto.solve(kept.r);
   const Eigen::Index rank = onto.rank();
   if (rank >= n || wanted.a.rows() == 0) return first;
   const Square q = Eigen::HouseholderQR<Small<coordinates, most_equations>>(kept.a.transpose()).householderQ();
