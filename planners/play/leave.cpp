@@ -52,9 +52,9 @@ class Search {
       const Range arrivals = request_.arrival.value_or(Range{arrival, arrival});
       const std::vector<LaunchSpin> spins = spins_to_try();
       look_by_stages(request_.starts_at(std::clamp(arrival, arrivals.low, arrivals.high), request_.spin), spins, roots);
-      // Roots of another side spin lead to launches of their own.
+      // Roots of another side spin lead to launches of their own. To an exact place the spins of one root lead as well.
       for (const SearchRequest& sample : request_.samples()) {
-        if (!pool_.empty() && sample.asked != request_.asked) continue;
+        if (!pool_.empty() && (is_exact() || sample.asked != request_.asked)) continue;
         const auto off = [&](const LaunchSpin& s) { return std::abs(s.side - sample.spin.side) > settings::alike; };
         std::vector<LaunchSpin> alike = spins;
         std::erase_if(alike, off);
@@ -86,6 +86,8 @@ class Search {
   }
 
   const LeavePlace* asked_place() const { return std::get_if<LeavePlace>(&*request_.puzzle().leave); }
+  /// With `centre` a place is met exactly, or as nearly as it can be.
+  bool is_exact() const { return asked_place() && !launches_.safest(); }
   /// No shot by so many cushions can be better than the best that is known.
   bool over(int cushions) {
     if (budget_.spent()) return true;
@@ -338,9 +340,7 @@ class Search {
   /// Chooses the shots that are handed over, best first, and measures them well.
   void choose() {
     if (pool_.empty()) return;
-    // With `centre` a place is met exactly, or as nearly as it can be.
-    const bool exact = asked_place() && !launches_.safest();
-    if (exact) {
+    if (is_exact()) {
       if (std::ranges::none_of(pool_, [&](const Launched& one) { return on_place(one); })) return keep_nearest();
       std::erase_if(pool_, [&](const Launched& one) { return !on_place(one); });
     }
@@ -359,7 +359,7 @@ class Search {
       if (known.insert(way_of(one)).second) best.push_back(std::move(one));
     }
     pool_ = std::move(best);
-    if (!exact && request_.puzzle().prefer == Prefer::robust) improve();
+    if (!is_exact() && request_.puzzle().prefer == Prefer::robust) improve();
     order();
     pool_.resize(std::min(told_apart(improved.front()), pool_.size()));
     for (Launched& one : pool_) measure(one, judged_plays);
