@@ -62,8 +62,6 @@ class Launches {
   /// Returns the success of a launch to first order, of a pocket in what is made across it at the speed of its root.
   double likely(const Root& root, double shift, const Shot& shot) const;
 
-  Proof prove_at(const Vector& x, const Shot* like = nullptr) const;
-
   /// Plays a launch without errors; none if it does not make the target, or the cue ball falls. `like`: it must make
   /// the target as this shot does.
   std::optional<Launched> play(const Root& root, const Vector& x, double shift, const Shot* like = nullptr) const;
@@ -76,6 +74,8 @@ class Launches {
   void climb(Launched& best, double scale, const std::function<bool(Launched&)>& is_better) const;
 
  private:
+  Proof prove_at(const Vector& x, const Shot* like = nullptr) const;
+
   /// A coordinate of a launch, and the first step along it.
   struct Move {
     int coordinate;  ///< -1: across the target
