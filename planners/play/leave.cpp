@@ -52,7 +52,8 @@ class Search {
       const Range arrivals = request_.arrival.value_or(Range{arrival, arrival});
       const std::vector<LaunchSpin> spins = spins_to_try();
       look_by_stages(request_.starts_at(std::clamp(arrival, arrivals.low, arrivals.high), request_.spin), spins, roots);
-      // Roots of another side spin lead to launches of their own. To an exact place the spins of one root lead as well.
+      // Roots of another side spin, and at the speed asked for, lead to launches of their own. To an exact place the
+      // spins of one root lead as well.
       for (const SearchRequest& sample : request_.samples()) {
         if (!pool_.empty() && (is_exact() || sample.asked != request_.asked)) continue;
         const auto off = [&](const LaunchSpin& s) { return std::abs(s.side - sample.spin.side) > settings::alike; };
