@@ -154,7 +154,12 @@ bool OutcomeMap::add(Rung rung) {
   const auto at = std::ranges::lower_bound(rows_, speed, {}, &Row::speed);
   if ((at != rows_.end() && at->speed == speed) || rows_.size() >= most_rows || budget_.spent()) return false;
   Row row = row_at(speed, expected_at(speed));
-  rows_.insert(std::ranges::upper_bound(rows_, speed, {}, &Row::speed), std::move(row));
+  const auto added = rows_.insert(std::ranges::upper_bound(rows_, speed, {}, &Row::speed), std::move(row));
+  const double from = added == rows_.begin() ? -infinite : std::prev(added)->speed;
+  const double to = std::next(added) == rows_.end() ? infinite : std::next(added)->speed;
+  for (Row& other : rows_)
+    if (const double reach = far * deviation(other.speed); other.speed + reach > from && other.speed - reach < to)
+      other.best.reset();
   return true;
 }
 
@@ -191,20 +196,33 @@ double OutcomeMap::success_at(double aim, const Row& row) const {
   return sum;
 }
 
-/// Returns the success of a launch. It changes evenly between two speeds, which the normal errors of speed weigh;
-/// beyond the last speeds nothing is made.
-double OutcomeMap::success(double aim, double speed) const {
-  if (rows_.size() == 1) return success_at(aim, rows_.front());
+/// Returns what makes the success of a launch at a speed out of that of its aim on each row. Between two rows it
+/// changes evenly, and the normal errors of speed weigh it; beyond the last rows nothing is made.
+std::vector<OutcomeMap::Weight> OutcomeMap::weights_at(double speed) const {
+  if (rows_.size() == 1) return {{&rows_.front(), 1}};
   const auto density = [](double z) { return std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi); };
   const double by = deviation(speed);
-  double sum = 0;
+  std::vector<Weight> out;
+  const auto add = [&](const Row& row, double share) {
+    if (!row.made()) return;
+    if (out.empty() || out.back().row != &row) out.push_back({&row, 0});
+    out.back().share += share;
+  };
   for (std::size_t i = 0; i + 1 < rows_.size(); ++i) {
     const Row &a = rows_[i], &b = rows_[i + 1];
     const double low = (a.speed - speed) / by, high = (b.speed - speed) / by;
     if (high < -far || low > far || !(a.made() || b.made())) continue;
-    const double at_low = success_at(aim, a), slope = (success_at(aim, b) - at_low) / (high - low);
-    sum += (at_low - slope * low) * (normal_below(high) - normal_below(low)) + slope * (density(low) - density(high));
+    const double both = normal_below(high) - normal_below(low);
+    const double share = (density(low) - density(high) - low * both) / (high - low);
+    add(a, both - share);
+    add(b, share);
   }
+  return out;
+}
+
+double OutcomeMap::success(double aim, std::span<const Weight> weights) const {
+  double sum = 0;
+  for (const Weight& w : weights) sum += w.share * success_at(aim, *w.row);
   return sum;
 }
 
@@ -225,12 +243,12 @@ bool OutcomeMap::refine_changes(const Launch& best) {
 
 /// Returns a launch with its value. `row`: the speed whose launches meet and arrive as this one does. If that is not as
 /// asked, the value is below any.
-OutcomeMap::Best OutcomeMap::at(double aim, double speed, const Row& row) const {
+OutcomeMap::Best OutcomeMap::at(double aim, double speed, const Row& row, std::span<const Weight> weights) const {
   if (row.seen.empty()) return {launch(aim, speed), -infinite};
   const Seen& like = *std::ranges::min_element(row.seen, {}, [&](const Seen& s) { return std::abs(s.aim - aim); });
   if (!like.as_asked) return {launch(aim, speed), -infinite};
   const double cost = cost_of({speed, aim}, shot_.spin) + cost_of_contacts(like.contacts);
-  return {launch(aim, speed), success(aim, speed) - cost};
+  return {launch(aim, speed), success(aim, weights) - cost};
 }
 
 namespace {
@@ -256,14 +274,14 @@ double largest(double low, double high, double enough, const F& f) {
 }  // namespace
 
 /// Returns the best aim inside its bounds, between the middles of the intervals at the speeds around.
-double OutcomeMap::safest_aim(double speed) const {
+double OutcomeMap::safest_aim(double speed, std::span<const Weight> weights) const {
   const double near = 2 * deviation(speed);
   double low = infinite, high = -low;
   for (const Row& row : rows_)
     if (rows_.size() == 1 || std::abs(row.speed - speed) < near)
       for (const Band& band : row.bands) low = std::min(low, band.middle()), high = std::max(high, band.middle());
   if (low > high) low = high = own_;
-  const double best = largest(low, high, finest * angle_, [&](double aim) { return success(aim, speed); });
+  const double best = largest(low, high, finest * angle_, [&](double aim) { return success(aim, weights); });
   double aim = wrap_angle(origin_ + best);
   if (!request_.angle || inside_aims(aim, request_.angle)) return best;
   // The nearer end of the bounds.
@@ -277,12 +295,13 @@ double OutcomeMap::safest_aim(double speed) const {
 OutcomeMap::Best OutcomeMap::best_at(double speed) const {
   const auto distance = [&](const Row& r) { return r.made() ? std::abs(r.speed - speed) : infinite; };
   const Row& row = *std::ranges::min_element(rows_, {}, distance);
-  const double aim = safest_aim(speed);
-  Best best = at(aim, speed, row);
+  const std::vector<Weight> weights = weights_at(speed);
+  const double aim = safest_aim(speed, weights);
+  Best best = at(aim, speed, row, weights);
   const auto try_it = [&](const Seen& s) {
     double angle = wrap_angle(origin_ + s.aim);
     if (!inside_aims(angle, request_.angle)) return;
-    if (const Best other = at(s.aim, speed, row); other.value > best.value) best = other;
+    if (const Best other = at(s.aim, speed, row, weights); other.value > best.value) best = other;
   };
   if (row.seen.empty()) return best;
   if (best.value == -infinite) std::ranges::for_each(row.seen, try_it);
@@ -291,14 +310,15 @@ OutcomeMap::Best OutcomeMap::best_at(double speed) const {
   return best;
 }
 
-std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() const {
+std::vector<OutcomeMap::Best> OutcomeMap::best_so_far() {
   std::vector<Best> best;
-  for (const Row& row : rows_) {
+  for (Row& row : rows_) {
     double speed = row.speed;
     if (std::ranges::none_of(row.seen, &Seen::as_asked)) continue;
     if (!row.made() || !bring_inside(speed, request_.speed)) continue;
     if (one_speed_ && row.speed != shot_.launch.speed) continue;
-    if (const Best there = best_at(speed); there.value > -infinite) best.push_back(there);
+    if (!row.best) row.best = best_at(speed);
+    if (row.best->value > -infinite) best.push_back(*row.best);
   }
   // Among launches that are alike the slowest comes first, whatever their last digits.
   std::ranges::stable_sort(best, std::greater(), [](const Best& b) { return std::round(b.value / settings::alike); });
@@ -317,7 +337,10 @@ std::vector<OutcomeMap::Best> OutcomeMap::best(double worth) {
   // puzzle gives an arrival speed, which is known on rows alone.
   const auto is_own = [&](const Row& row) { return row.speed == shot_.launch.speed; };
   const auto leads_on = [&](const Row& row) { return row.made() && !is_own(row); };
-  if (!request_.puzzle().arrive && std::ranges::any_of(rows_, leads_on)) std::erase_if(rows_, is_own);
+  if (!request_.puzzle().arrive && std::ranges::any_of(rows_, leads_on)) {
+    std::erase_if(rows_, is_own);
+    for (Row& row : rows_) row.best.reset();
+  }
   best = best_so_far();
   while (!best.empty() && (refine(best.front().launch.speed) || refine_changes(best.front().launch)))
     best = best_so_far();

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "planners/evaluation_budget.hpp"
@@ -48,11 +49,18 @@ class OutcomeMap {
   };
   /// The launches of one speed.
   struct Row {
-    double speed;               ///< m/s
-    std::vector<Band> bands{};  ///< intervals that are made, in order
-    std::vector<Seen> seen{};   ///< in order
+    double speed;                ///< m/s
+    std::vector<Band> bands{};   ///< intervals that are made, in order
+    std::vector<Seen> seen{};    ///< in order
+    std::optional<Best> best{};  ///< its best launch, until a row is added that changes it
     bool made() const { return !bands.empty(); }
     const Band& widest() const { return *std::ranges::max_element(bands, {}, &Band::width); }
+  };
+
+  /// A row, and how much the success of an aim at its speed counts at another speed.
+  struct Weight {
+    const Row* row;
+    double share;
   };
 
   /// A place on the lattice of launch speeds.
@@ -65,14 +73,15 @@ class OutcomeMap {
   void look_along();
   bool refine(double speed);
   bool refine_changes(const Launch& best);
-  std::vector<Best> best_so_far() const;
+  std::vector<Best> best_so_far();
   Launch launch(double aim, double speed) const;
-  Best at(double aim, double speed, const Row& row) const;
+  Best at(double aim, double speed, const Row& row, std::span<const Weight> weights) const;
   Best best_at(double speed) const;
   double deviation(double speed) const;
-  double success(double aim, double speed) const;
+  std::vector<Weight> weights_at(double speed) const;
+  double success(double aim, std::span<const Weight> weights) const;
   double success_at(double aim, const Row& row) const;
-  double safest_aim(double speed) const;
+  double safest_aim(double speed, std::span<const Weight> weights) const;
 
   const SearchRequest& request_;
   EvaluationBudget& budget_;
