@@ -44,11 +44,11 @@ bool make_safest(const SearchRequest& request, EvaluationBudget& budget, Shot& s
   std::optional<Shot> best;
   const std::size_t tried = request.all() ? 1 : most_tried;  // a list has many shots
   for (const auto& [launch, value] : std::span(likely).first(std::min(likely.size(), tried))) {
+    if (best && *best->robustness.value >= value) break;  // the others promise no more
     auto there = moved(request, budget, shot, launch);
     if (there && request.problem->keeps_cushions(*there) &&
         (!best || *there->robustness.value > *best->robustness.value))
       best = std::move(there);
-    if (best && *best->robustness.value > value) break;  // it keeps what the map promised
   }
   if (!shot.robustness.success) find_success(request, budget, shot);
   if (best && (!request.problem->keeps_cushions(shot) || *best->robustness.value > *shot.robustness.value))
