@@ -4,7 +4,8 @@
 //   position --ask nearest|hand|snooker|value [--count 100] [--seed 1] [--others 0] [-j N] [--csv FILE]
 // nearest: places that no pot leaves the cue ball at. Does a grid of launches on the exact lines stop it more than 1 cm
 //   nearer?
-// hand: the ball in hand, one ball to pot. Is the answer from a place of a grid of 2 cm better by more than 0.01?
+// hand: the ball in hand, one ball to pot. Is the answer from a place of a grid of 2 cm better by more than 0.01? The
+//   grid is looked at where one of 4 cm is within 0.03 of its best.
 // snooker: layouts in which a grid of launches touches ball 1 and hides it. Does the answer hide it in one of twenty
 //   plays with errors?
 // value: the first shot of a game. The probability that it pots and leaves the next pot, against 10,000 plays.
@@ -81,10 +82,23 @@ Compared ball_in_hand(Random& r, int others) {
   const Answer a = solve(p);
   Compared out{
       .ours = a.shots.empty() ? -1 : *a.shots.front().robustness.value, .theirs = -1, .time_ms = a.time_us / 1000};
-  constexpr double grid = 0.02;
-  for (const Vec2d& at : free_places(p, grid))
-    if (const Answer there = solve(placed(p, at), {.suggest = false}); !there.shots.empty())
-      out.theirs = std::max(out.theirs, *there.shots.front().robustness.value);
+  const auto value_from = [&](const Vec2d& at) {
+    const Answer there = solve(placed(p, at), {.suggest = false});
+    const double value = there.shots.empty() ? -1 : *there.shots.front().robustness.value;
+    out.theirs = std::max(out.theirs, value);
+    return value;
+  };
+  // The grid of 2 cm, only where its next place on one of 4 cm comes near the best of those.
+  constexpr double fine = 0.02, coarse = 0.04, near = 0.03;
+  std::vector<std::pair<Vec2d, double>> looked;
+  for (const Vec2d& at : free_places(p, coarse)) looked.emplace_back(at, value_from(at));
+  std::erase_if(looked, [best = out.theirs](const auto& place) { return place.second < best - near; });
+  for (const Vec2d& at : free_places(p, fine))
+    if (std::ranges::any_of(looked, [&](const auto& place) {
+          const double off = norm(place.first - at);
+          return off > fine / 2 && off < coarse;
+        }))
+      value_from(at);
   out.counts = out.theirs >= 0;
   return out;
 }
