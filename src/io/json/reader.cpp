@@ -122,6 +122,7 @@ Range Reader::range() const {
 }
 
 std::size_t Reader::word(std::string_view what, std::span<const std::string_view> words) const {
+  if (!value_->is_string()) fail("must be a string" + known_words({}, words));
   const std::string w = text();
   const auto it = std::find(words.begin(), words.end(), w);
   if (it == words.end()) fail(fmt::format("is no {}{}", what, known_words(w, words)));
