@@ -190,10 +190,11 @@ class Search {
     Vector x = root.x;
     x[branch::top] = spin.top, x[branch::side] = spin.side, x[branch::masse] = spin.masse;
     const bool given = launches_.speed_given();
+    double low = root.x[log_speed] + std::log(slowest), high = root.x[log_speed] + std::log(fastest);
+    if (grid_.to_bounds) low = std::max(low, box.low[log_speed]), high = std::min(high, box.high[log_speed]);
     for (int i = 0; i < (given ? 1 : grid_.speeds) && !budget_.spent(); ++i) {
       Vector from = x;
-      if (!given)
-        from[log_speed] = root.x[log_speed] + std::log(slowest) + i * std::log(fastest / slowest) / (grid_.speeds - 1);
+      if (!given) from[log_speed] = std::lerp(low, high, i / (grid_.speeds - 1.0));
       if (!box.free(log_speed)) from[log_speed] = box.low[log_speed];
       if (from[log_speed] < box.low[log_speed] || from[log_speed] > box.high[log_speed]) continue;
       auto one = launches_.play_near(root, from, shift);
