@@ -24,7 +24,7 @@ struct Spacing {
   double aim, speed;
   bool whole = false;       ///< look also at speeds at which neighbouring paths arrive too fast or never, and for a
                             ///< given route where it really occurs, not on its locked path
-  double narrowest = 1e-4;  ///< rad; routes narrower than this between two others are not looked for
+  double narrowest = 1e-6;  ///< rad; routes narrower than this between two others are not looked for
   bool every_root = true;   ///< look for more roots of a route that has one, even if none is likely
 };
 

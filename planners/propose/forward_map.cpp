@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bankshot/numbers/tolerances.hpp"
 #include "planners/settings.hpp"
 
 namespace bankshot::planning::propose {
@@ -88,7 +89,7 @@ ForwardMap::Node ForwardMap::node(double angle, double speed) {
                   request_.problem->aim_points[p.aim_point]},
                  {speed, angle}, p.linear);
   }
-  return {angle, speed, forward_.route, forward_.places, place()};
+  return {angle, speed, forward_.route, forward_.passages, forward_.places, place()};
 }
 
 /// Returns the place of the launch that was followed last.
@@ -142,11 +143,40 @@ void ForwardMap::keep_lead(double angle, double speed, const Passage& p) {
 }
 
 void ForwardMap::between(const Node& a, const Node& b) {
-  if ((request_.route && !cell_.whole) || a.route == b.route || hopeless(a, b) || budget_.spent()) return;
-  if (b.angle - a.angle < cell_.narrowest) return;
+  const bool same = alike(a, b);
+  if ((same && !lacks_root(a, b)) || hopeless(a, b) || budget_.spent()) return;
+  if (b.angle - a.angle < (same ? tolerance::same_aim : cell_.narrowest)) return;
   const Node other = node(change(a, b), a.speed);
   between(a, other);
   between(other, b);
+}
+
+/// Returns whether two nodes meet the same cushions, and the same legs lead to the aim points.
+bool ForwardMap::alike(const Node& a, const Node& b) {
+  const auto same = [](const Passage& p, const Passage& q) {
+    return p.meetings == q.meetings && p.aim_point == q.aim_point;
+  };
+  return a.route == b.route && std::ranges::equal(a.passages, b.passages, same);
+}
+
+/// Returns whether some root between two nodes that are alike, at one speed, is not known. A leg that passes on both
+/// sides of its aim point has an odd number of roots there, another one an even number; two, if it turns back near it.
+bool ForwardMap::lacks_root(const Node& a, const Node& b) const {
+  if (!request_.one_unknown() || !cell_.every_root) return false;
+  for (std::size_t i = 0; i < a.passages.size(); ++i) {
+    const Linear &at_a = a.passages[i].linear, &at_b = b.passages[i].linear;
+    const auto leads_inside = [&](const Linear& l, double way) {
+      const double step = -l.r[0] / l.by_aim(0) * way;
+      return step > 0 && step < b.angle - a.angle;
+    };
+    const bool both_sides = at_a.r[0] * at_b.r[0] < 0, turns_back = leads_inside(at_a, 1) && leads_inside(at_b, -1);
+    const Branch aim{request_, std::span<const Meeting>(a.route).first(a.passages[i].meetings),
+                     request_.problem->aim_points[a.passages[i].aim_point]};
+    const auto known = roots_.known_between(aim, {a.angle, b.angle});
+    const bool odd = known % 2 == 1;
+    if (both_sides != odd || (turns_back && known == 0)) return true;
+  }
+  return false;
 }
 
 /// Returns whether no path between two nodes can be a shot: it is too fast as well, or ends too early to meet all the

@@ -11,7 +11,8 @@
 // 2,000 more where cushions change: 3,000 simulations.
 // Cost: some thousands of simulations with dual numbers.
 // Guarantee: none. A root is missed where paths bend within a cell more than the reach allows. It is also missed where
-// a route is narrower than the spacing and lies between equal neighbours.
+// a route is narrower than the spacing and lies between equal neighbours. Of 51,709 shots at one speed that brute force
+// found, on rectangles and polygons, beside rails and frozen, none is missed (tests/plan/brute_force_test.cpp).
 #pragma once
 
 #include <optional>
@@ -40,6 +41,7 @@ class ForwardMap {
   struct Node {
     double angle, speed;
     Route route;
+    std::vector<Passage> passages;
     std::vector<BouncePlace> places;
     Place place;
   };
@@ -52,6 +54,8 @@ class ForwardMap {
   double cells_of_speed(const Passage& p) const;
   void keep_lead(double angle, double speed, const Passage& p);
   void between(const Node& a, const Node& b);
+  static bool alike(const Node& a, const Node& b);
+  bool lacks_root(const Node& a, const Node& b) const;
   bool hopeless(const Node& a, const Node& b) const;
   double change(const Node& a, const Node& b) const;
 

@@ -84,6 +84,13 @@ void Roots::add(const Branch& aim, const Launch& root) {
   certify_root(aim, budget_, found_, root, word::partition);
 }
 
+std::ptrdiff_t Roots::known_between(const Branch& aim, const Range& aims) const {
+  return std::ranges::count_if(roots_, [&](const Root& r) {
+    const double beyond = angle_difference(aims.low, r.launch.angle);
+    return beyond >= 0 && beyond <= aims.high - aims.low && belongs(r, aim);
+  });
+}
+
 /// Returns whether a root of the same route and aim point lies within so many cells.
 bool Roots::known(const Branch& aim, const Launch& l, double cells) const {
   return std::any_of(roots_.begin(), roots_.end(), [&](const Root& r) {

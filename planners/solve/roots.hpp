@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,9 @@ class Roots {
 
   /// Looks for roots of routes that were visited and have none, from the node of each that came nearest.
   void seek_rest();
+
+  /// Returns the number of roots of this route and aim point that are known in a range of aims [rad].
+  std::ptrdiff_t known_between(const Branch& aim, const Range& aims) const;
 
   /// Returns whether nothing more is looked for.
   bool done() const { return stop::over(request_, budget_, found_) || stop::route_settled(request_, found_); }
