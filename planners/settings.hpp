@@ -150,6 +150,9 @@ inline constexpr Spacing usual{radians(2), 0.12};
 inline constexpr int plain_bounces = 3;
 /// Factor on the predicted turn to the end of a cushion, which puts a new node surely past it.
 inline constexpr double past_the_end = 1.02;
+/// Least turn from a node to where an interval is divided, as a share of the interval. It bounds the nodes where the
+/// prediction is wrong.
+inline constexpr double least_turn = 0.01;
 }  // namespace forward_map
 
 namespace along {

@@ -200,7 +200,9 @@ double ForwardMap::change(const Node& a, const Node& b) const {
     if (!line) continue;
     const BouncePlace& at = node->places[m];
     const double end = dot(line->along, at.by_aim * way > 0 ? line->to : line->from);
-    const double turn = std::max(cell_.narrowest / 3, past_the_end * (end - at.along) / at.by_aim * way);
+    const double to_end = (end - at.along) / at.by_aim * way;
+    if (!(to_end > 0)) continue;  // it is no end of the cushion that makes them differ
+    const double turn = std::max(least_turn * (b.angle - a.angle), past_the_end * to_end);
     if (turn < nearest) best = node->angle + way * turn, nearest = turn;
   }
   return best;
