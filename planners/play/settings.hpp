@@ -47,8 +47,8 @@ inline constexpr double likely_left = 0.2;
 /// The compass search: first steps across the target [share of its width], of ln speed and of spin.
 inline constexpr double step_across = 0.15, step_speed = 0.12, step_spin = 0.25;
 /// If no launch stops the cue ball as asked, so many ways to play it are improved until they stop it as near as they
-/// can, with the steps halved so often. With 24 ways brute force comes more than 1 cm nearer in 5 of 400 layouts, and with
-/// 72 as well.
+/// can, with the steps halved so often. With 24 ways brute force comes more than 1 cm nearer in 5 of 400 layouts, and
+/// with 72 as well.
 inline constexpr std::size_t approached = 24;
 inline constexpr int approach_halvings = 6;
 /// Residual below which an equation is solved, as a share of the diagonal.
