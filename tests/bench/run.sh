@@ -118,7 +118,7 @@ part() {
       ;;
     position)  # Brute force by the plain simulator.
       head=1
-      for asked in "nearest 200 73 0" "hand 100 74 0" "snooker 200 72 3" "value 200 71 5"; do
+      for asked in "nearest 200 75 0" "hand 100 74 0" "snooker 200 72 3" "value 200 71 5"; do
         read -r what count seed others <<<"$asked"
         "$bin/position" --ask "$what" --count "$count" --seed "$seed" --others "$others" -j "$(nproc)" --csv "$scratch/table" >/dev/null
         tail -n +$head "$scratch/table"

@@ -222,6 +222,8 @@ TEST_CASE("all shots at a fixed speed are those of brute force") { compare(20, 2
 
 TEST_CASE("all shots of a ball frozen to a cushion are those of brute force, into it too") { compare(40, 31, frozen); }
 
+TEST_CASE("all shots past a point beside a rail are those of brute force") { compare(130, 37, hugging); }
+
 TEST_CASE("all shots at a fixed speed are those of brute force, at length", "[.][long]") {
   compare(200, test::seed_or_fresh(23), anywhere);
 }
