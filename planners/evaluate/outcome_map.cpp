@@ -154,7 +154,7 @@ bool OutcomeMap::add(Rung rung) {
   const auto at = std::ranges::lower_bound(rows_, speed, {}, &Row::speed);
   if ((at != rows_.end() && at->speed == speed) || rows_.size() >= most_rows || budget_.spent()) return false;
   Row row = row_at(speed, expected_at(speed));
-  const auto added = rows_.insert(std::ranges::upper_bound(rows_, speed, {}, &Row::speed), std::move(row));
+  const auto added = rows_.insert(at, std::move(row));
   const double from = added == rows_.begin() ? -infinite : std::prev(added)->speed;
   const double to = std::next(added) == rows_.end() ? infinite : std::next(added)->speed;
   for (Row& other : rows_)
