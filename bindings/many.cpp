@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bankshot/simulate/each.hpp"
-#include "bindings/in_parallel.hpp"
+#include "planners/in_parallel.hpp"
 
 namespace bankshot::bindings {
 namespace {
@@ -59,7 +59,7 @@ void simulate_many(const ShotRequest& scene, std::span<const bankshot_launch> la
   const bool spins = carries_spin(scene.physics);
   // Launches of a block share the setup of the scene. Small numbers of launches are still spread over threads.
   const std::size_t block = std::clamp<std::size_t>(launches.size() / 64, 1, 256);
-  in_parallel(
+  planning::in_parallel(
       launches.size(), block, threads, stop,
       [&](std::size_t begin, std::size_t end) {
         std::vector<Stroke> strokes;

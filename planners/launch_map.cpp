@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "bankshot/plan/launch_map.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "planners/evaluate/noise_scanlines.hpp"
 #include "planners/evaluate/settings.hpp"
 #include "planners/verify/replay.hpp"
 
@@ -20,39 +22,20 @@ std::vector<double> weights(double deviation, double cell) {
   const double reach = std::ceil(planning::settings::success::widest * deviation / cell);
   if (reach > most_cells) throw too_fine();
   const auto n = static_cast<int>(reach);
+  // At a deviation of 0 both ends of the only cell are infinitely far, so its probability is 1.
+  const auto below = [&](double at) { return planning::normal_below(at * cell / deviation); };
   std::vector<double> out;
-  for (int k = -n; k <= n; ++k) {
-    const auto below = [&](double at) {
-      return deviation > 0 ? std::erfc(-at * cell / deviation / std::sqrt(2.0)) / 2 : at < 0 ? 0.0 : 1.0;
-    };
-    out.push_back(below(k + 0.5) - below(k - 0.5));
-  }
+  for (int k = -n; k <= n; ++k) out.push_back(below(k + 0.5) - below(k - 0.5));
   return out;
 }
 
-/// A table of numbers, row by row.
-struct Rows {
-  Rows(int of_columns, int of_rows)
-      : columns(of_columns), rows(of_rows), cells(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
-  int columns, rows;
-  std::vector<double> cells;
-  double& at(int column, int row) {
-    return cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
-  }
-};
-
-/// Sums each row with the weights, so that it loses as many cells on either side as they reach. The result is
+/// Sums each column with the weights, so that it loses as many cells on either side as they reach. The result is
 /// transposed, so that two calls do both directions.
-Rows blurred(Rows& from, const std::vector<double>& weights) {
-  const auto reach = static_cast<int>(weights.size()) - 1;
-  Rows to(from.rows, from.columns - reach);
-  for (int row = 0; row < from.rows; ++row)
-    for (int column = 0; column < to.rows; ++column) {
-      double sum = 0;
-      for (int k = 0; k <= reach; ++k) sum += weights[static_cast<std::size_t>(k)] * from.at(column + k, row);
-      to.at(row, column) = sum;
-    }
-  return to;
+Eigen::MatrixXd blurred(const Eigen::MatrixXd& from, const std::vector<double>& weights) {
+  const auto reach = static_cast<Eigen::Index>(weights.size()) - 1;
+  Eigen::MatrixXd to = Eigen::MatrixXd::Zero(from.rows() - reach, from.cols());
+  for (Eigen::Index k = 0; k <= reach; ++k) to += weights[static_cast<std::size_t>(k)] * from.middleRows(k, to.rows());
+  return to.transpose();
 }
 
 }  // namespace
@@ -85,19 +68,20 @@ LaunchMap launch_map(const Puzzle& puzzle, const LaunchGrid& grid, const std::at
   }
   std::vector<planning::SearchRequest> requests(orders.begin(), orders.end());
   planning::EvaluationBudget budget(std::numeric_limits<long>::max(), cancelled);
-  Rows made(around.angles, around.speeds);
+  // The columns of a matrix lie one after the other, so a cell has its index in the grid.
+  Eigen::MatrixXd made = Eigen::MatrixXd::Zero(around.angles, around.speeds);
   for (std::size_t i = 0; i < around.size() && !budget.spent(); ++i) {
     const Launch launch = around.at(i);
     const auto makes = [&](const planning::SearchRequest& request) {
       return planning::replay(request, budget, launch, planning::Goal::of(request)).made;
     };
-    if (launch.speed > 0 && std::ranges::any_of(requests, makes)) made.cells[i] = 1;
+    if (launch.speed > 0 && std::ranges::any_of(requests, makes)) made(static_cast<Eigen::Index>(i)) = 1;
   }
   LaunchMap map{grid, {}, {}};
-  for (int row = 0; row < grid.speeds; ++row)
-    for (int column = 0; column < grid.angles; ++column) map.made.push_back(made.at(column + beside, row + above) != 0);
-  Rows half = blurred(made, by_aim);
-  map.success = blurred(half, by_speed).cells;
+  for (int s = 0; s < grid.speeds; ++s)
+    for (int a = 0; a < grid.angles; ++a) map.made.push_back(made(a + beside, s + above) != 0);
+  const Eigen::MatrixXd success = blurred(blurred(made, by_aim), by_speed);
+  map.success.assign(success.data(), success.data() + success.size());
   return map;
 }
 

@@ -48,8 +48,6 @@ std::string explain(const SearchRequest& request, const Failure& f) {
       return fmt::format("runs into {} first", cushion());
     case FailureReason::other_cut:
       return fmt::format("meets {} at another cut", cushion());
-    case FailureReason::covered:
-      return fmt::format("cannot be where {} stands", cushion());
     case FailureReason::too_fast:
       return fmt::format("needs {:.4g} m/s or more, and the bound is {:.4g} m/s", f.speed, v.high);
     case FailureReason::too_slow:
@@ -131,7 +129,7 @@ std::string why_beside(const SearchRequest& request, EvaluationBudget& budget, c
                                                                      : cuts                   ? "middle of the ball"
                                                                                               : "middle of the target");
   if (!root) return where + "no launch by its cushions leads there";
-  const Proof proof = prove(own, aside, root.launch, Goal::along(shot, Demand::exact));
+  const Proof proof = prove(own, aside, *root, Goal::along(shot, Demand::exact));
   return where + "there it " + explain(request, proof.failure);
 }
 

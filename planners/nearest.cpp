@@ -86,8 +86,8 @@ class Scan {
     if (!(l.speed > 0)) return {};
     const Replay r = replay(request_, aside_, {l.speed, wrap_angle(l.angle)}, goal_);
     const FailureReason reason = r.failure.reason;
-    const bool bounces =
-        r.made || ((reason == FailureReason::missed || reason == FailureReason::fell_short) && r.bounces >= goal_.min);
+    const bool bounces = r.made || ((reason == FailureReason::missed || reason == FailureReason::fell_short) &&
+                                    r.bounces() >= goal_.min);
     return {l, bounces, r.miss};
   }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/numbers/tolerances.hpp"
@@ -32,10 +33,6 @@ std::vector<Contact> touched_by(const Boundary& boundary, const Vec2d& at) {
     if (norm(at - tip.centre) - tip.radius <= slack) out.push_back(tip.contact);
   return out;
 }
-
-}  // namespace
-
-namespace {
 
 /// Returns the scene without a launch.
 ShotRequest scene_of(const Puzzle& p) {
@@ -83,15 +80,9 @@ Problem::Problem(const Puzzle& p)
       touched(touched_by(boundary, p.ball.at)) {}
 
 const AimPoint& Problem::nearest_aim_point(const Vec2d& arrived, int ball) const {
-  const auto own = std::ranges::find(aim_points, ball, &AimPoint::ball);
-  const bool has_own = own != aim_points.end();
-  const AimPoint* best = has_own ? &*own : &aim_points.front();
-  double least = best->apart(arrived);
-  for (const AimPoint& aim_point : aim_points) {
-    if (has_own && aim_point.ball != ball) continue;
-    if (const double apart = aim_point.apart(arrived); apart < least) best = &aim_point, least = apart;
-  }
-  return *best;
+  // Aim points of the ball come before all others.
+  const auto rank = [&](const AimPoint& p) { return std::pair(p.ball != ball, p.apart(arrived)); };
+  return *std::ranges::min_element(aim_points, {}, rank);
 }
 
 const AimPoint* Problem::aim_point_taken_by(Contact contact, const Vec2d& arrived, int ball) const {

@@ -2,7 +2,6 @@
 #include "planners/search_request.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "planners/settings.hpp"
 
@@ -17,8 +16,8 @@ LaunchSpin least_of(const SpinRange& r) {
 
 }  // namespace
 
-SearchRequest::SearchRequest(std::shared_ptr<const Problem> of, Wanted w)
-    : problem(std::move(of)),
+SearchRequest::SearchRequest(const Puzzle& of, Wanted w)
+    : problem(std::make_shared<const Problem>(of)),
       wanted(w),
       speed(puzzle().speed),
       angle(puzzle().angle),
@@ -30,9 +29,6 @@ SearchRequest::SearchRequest(std::shared_ptr<const Problem> of, Wanted w)
   if (cue_cushions.sequence) route = route_by(*cue_cushions.sequence);
   if (const Then* const last = problem->then()) object_cushions = last->cushions_of(last->links.size());
 }
-
-SearchRequest::SearchRequest(const Puzzle& puzzle, Wanted w)
-    : SearchRequest(std::make_shared<const Problem>(puzzle), w) {}
 
 SearchRequest SearchRequest::stage(int cue, int object) const {
   SearchRequest request = *this;

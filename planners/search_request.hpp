@@ -16,8 +16,7 @@ namespace bankshot::planning {
 enum class Wanted { best, first, all, starts };
 
 struct SearchRequest {
-  explicit SearchRequest(std::shared_ptr<const Problem> problem, Wanted wanted = Wanted::best);
-  /// Makes the problem too; `puzzle` must outlive this and its copies.
+  /// Prepares the problem; `puzzle` must outlive this and its copies.
   explicit SearchRequest(const Puzzle& puzzle, Wanted wanted = Wanted::best);
 
   std::shared_ptr<const Problem> problem;  ///< never null

@@ -33,7 +33,6 @@ enum class FailureReason {
   pocketed,
   hit_ball,
   other_cut,
-  covered,      ///< a ball stands at the point that is asked
   inexact,      ///< it is made, but not on the exact line or point, or not at the speed asked
   too_fast,     ///< it needs more speed than a bound allows
   too_slow,     ///< it needs less speed than a bound allows
@@ -54,7 +53,6 @@ struct Failure {
 /// A launch that failed.
 struct NearMiss {
   Launch launch{};
-  int bounces = 0;
   double miss = std::numeric_limits<double>::infinity();  ///< m
   Failure failure{};
 };

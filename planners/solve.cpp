@@ -212,11 +212,7 @@ Answer solve_both_orders(const Puzzle& puzzle, const SolveOptions& options) {
   }
   for (const std::string& m : b.modelled)
     if (std::ranges::find(a.modelled, m) == a.modelled.end()) a.modelled.push_back(m);
-  a.simulations += b.simulations;
-  a.time_us += b.time_us;
-  a.cost.certify_us += b.cost.certify_us;
-  a.cost.robustness_us += b.cost.robustness_us;
-  a.cost.work += b.cost.work;
+  a.add_cost(b);
   return a;
 }
 

@@ -22,9 +22,9 @@ inline State<double> start_of(const SearchRequest& request, const Launch& launch
                   request.spin);
 }
 
-/// Returns the state with its derivatives by the first N unknowns: the aim, and ln speed. `Dual<N>`: a dual number.
+/// Returns the state with its derivatives by the first N unknowns: the aim, and ln speed. `Dual`: a dual number.
 template <class Dual, int N>
-State<Dual> dual_start(const SearchRequest& request, const Launch& launch) {
+State<Dual> dual_start(const SearchRequest& request, const Launch& launch, const LaunchSpin& spin) {
   const Vec2d v = direction(launch.angle) * launch.speed, turned = perpendicular(v);
   Vec2<Dual> velocity{Dual(v.x), Dual(v.y)};
   velocity.x.v[0] = turned.x;
@@ -33,7 +33,7 @@ State<Dual> dual_start(const SearchRequest& request, const Launch& launch) {
     velocity.x.v[1] = v.x;
     velocity.y.v[1] = v.y;
   }
-  return launched(request.puzzle().ball.at, request.puzzle().ball.body.radius, velocity, request.spin);
+  return launched(request.puzzle().ball.at, request.puzzle().ball.body.radius, velocity, spin);
 }
 
 }  // namespace bankshot::planning

@@ -5,8 +5,8 @@
 
 #include "bankshot/plan/place_value.hpp"
 #include "bankshot/scene/json.hpp"
-#include "bindings/in_parallel.hpp"
 #include "bindings/python/interrupt.hpp"
+#include "planners/in_parallel.hpp"
 #include "service/start_map.hpp"
 
 namespace py = pybind11;
@@ -61,7 +61,7 @@ auto each(std::size_t count, int threads, py::object tell, const Make& make) {
   return interruptibly([&](const std::atomic<bool>& stop) {
     std::vector<Result> out(count);
     std::atomic<std::size_t> done{0};
-    bindings::in_parallel(
+    planning::in_parallel(
         count, 1, threads, stop,
         [&](std::size_t i, std::size_t) {
           out[i] = make(i, stop);

@@ -53,9 +53,9 @@ class Path {
   /// leg does not lead to its meeting.
   template <class Motion, class Cushion>
   bool run(const Motion& motion, const Cushion& cushion, const Vec2d& at, double capture, Work& work) {
-    const auto arrival =
-        trace(request_.problem->balls(), motion, cushion, aim_.route, dual_start<Number, 2>(request_, launch_),
-              {boundary_of_arrival().body, at, capture, request_.stop}, work, *this, LostLeg::is_passed_over);
+    const auto arrival = trace(
+        request_.problem->balls(), motion, cushion, aim_.route, dual_start<Number, 2>(request_, launch_, request_.spin),
+        {boundary_of_arrival().body, at, capture, request_.stop}, work, *this, LostLeg::is_passed_over);
     if (!arrival) return false;
     request_.stop ? rests(*arrival, at) : passes(*arrival, at, rolling_square(motion, arrival->state));
     arrives_ = true;

@@ -28,11 +28,6 @@ std::vector<double> slopes(std::span<const NoiseScanline> lines) {
 
 double normal_below(double deviations) { return std::erfc(-deviations / std::sqrt(2.0)) / 2; }
 
-bool NoiseScanline::made(double across) const {
-  const auto before = std::lower_bound(edges.begin(), edges.end(), across) - edges.begin();
-  return open != (before % 2 == 1);
-}
-
 int NoiseScanline::changes() const {
   int count = 0;
   for (std::size_t i = 1; i < tries.size(); ++i) count += tries[i - 1].made != tries[i].made;

@@ -24,7 +24,6 @@ struct NoiseScanline {
   bool open = false;            ///< made before the first edge
   double success = 0;           ///< success of all errors on this scanline
 
-  bool made(double across) const;
   /// Returns the number of neighbouring tries that differ.
   int changes() const;
   /// Computes edges and success from the tries. An edge expected inside its bracket is taken to lie there.

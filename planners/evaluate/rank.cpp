@@ -20,21 +20,11 @@
 namespace bankshot::planning {
 namespace {
 
-/// Returns the merit of a shot; larger is better.
-double merit(const Puzzle& p, const Shot& shot) {
-  return p.prefer == Prefer::robust && shot.robustness.value ? *shot.robustness.value : first_merit(p, shot);
-}
-
 /// Returns whether a shot comes last. If values do not rank, nobody strikes a ball straight into the cushion it touches
 /// while there is another shot.
 bool last_choice(const SearchRequest& request, const Shot& shot) {
   return (request.puzzle().prefer != Prefer::robust || !request.valued) && !shot.path.cushions.empty() &&
          !request.route && request.problem->into_touched_cushion(shot.launch.angle);
-}
-
-/// Returns the distance of the cue ball from where it should rest [m].
-double apart_from_leave(const Puzzle& p, const Shot& shot) {
-  return shot.path.cue_rests ? norm(*shot.path.cue_rests - *p.rest_near) : infinite;
 }
 
 /// Orders the shots that are about as likely as the best by how well they leave the cue ball. Then it orders the rest
@@ -45,7 +35,9 @@ void order_by_leave(const Puzzle& p, std::span<Shot> shots) {
     const auto unlike = std::ranges::find_if(rest, [&](const Shot& s) {
       return s.robustness.value.value_or(0) < enough || s.path.scratch != rest.front().path.scratch;
     });
-    std::ranges::stable_sort(rest.begin(), unlike, {}, [&](const Shot& s) { return apart_from_leave(p, s); });
+    std::ranges::stable_sort(rest.begin(), unlike, {}, [&](const Shot& s) {
+      return s.path.cue_rests ? norm(*s.path.cue_rests - *p.rest_near) : infinite;
+    });
     rest = rest.subspan(static_cast<std::size_t>(unlike - rest.begin()));
   }
 }
@@ -140,7 +132,7 @@ double success_at_most(const SearchRequest& request, const AimPoint& aim_point, 
   return std::min(1.0, times * estimate + more);
 }
 
-double first_merit(const Puzzle& p, const Shot& shot) {
+double merit(const Puzzle& p, const Shot& shot) {
   switch (p.prefer) {
     case Prefer::soft:
       return -shot.launch.speed;
@@ -149,7 +141,7 @@ double first_merit(const Puzzle& p, const Shot& shot) {
     case Prefer::robust:
       break;
   }
-  return shot.robustness.first_order;
+  return shot.robustness.value.value_or(shot.robustness.first_order);
 }
 
 void rank(const SearchRequest& request, std::vector<Shot>& shots) {
@@ -239,8 +231,9 @@ double moved_value(SearchResult& found, const Shot& shot) {
   return known == found.moved.end() || !known->shot ? -infinite : *known->shot->robustness.value;
 }
 
-/// Moves shots that may be worth more than all others, at most `most` of them, the most promising first.
-void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::size_t most) {
+/// Moves shots that may be worth more than all others, at most `most` of them, the most promising first. Returns the
+/// worth of the best that was moved.
+double move_some(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::size_t most) {
   struct Candidate {
     double likely, at_most;
     const Shot* shot;
@@ -258,7 +251,7 @@ void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchRes
   std::ranges::stable_sort(candidates, std::greater(), &Candidate::likely);
   for (const Candidate& c : candidates) {
     if (c.at_most <= value) continue;
-    if (most-- == 0) return;
+    if (most-- == 0) break;
     Shot shot = *c.shot;
     const bool hope =
         as_struck(request, shot, [&](const SearchRequest& own) { return make_safest(own, budget, shot, value); });
@@ -267,6 +260,7 @@ void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchRes
     value = std::max(value, *shot.robustness.value);
     found.moved.back().shot = std::move(shot);
   }
+  return value;
 }
 
 }  // namespace
@@ -274,12 +268,8 @@ void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchRes
 double value_in_hand(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   if (request.puzzle().prefer != Prefer::robust || found.shots.empty()) return 0;
   EvaluationBudget aside(std::numeric_limits<long>::max(), budget);  // what shots are worth is no part of the search
-  double value = 0;
-  if (request.valued && request.problem->safest() && !request.all()) {
-    move_some(request, aside, found, 1);
-    for (const Shot& shot : found.shots) value = std::max(value, moved_value(found, shot));
-    return value;
-  }
+  if (request.valued && request.problem->safest() && !request.all())
+    return std::max(0.0, move_some(request, aside, found, 1));
   Shot* best = &found.shots.front();
   double most = -infinite;
   for (Shot& shot : found.shots) {
@@ -290,6 +280,7 @@ double value_in_hand(const SearchRequest& request, EvaluationBudget& budget, Sea
   if (!request.valued) return std::max(0.0, most);
   if (!best->robustness.value)
     as_struck(request, *best, [&](const SearchRequest& own) { find_success(own, aside, *best); });
+  double value = 0;
   for (const Shot& shot : found.shots) value = std::max(value, shot.robustness.value.value_or(0));
   return value;
 }
@@ -325,10 +316,7 @@ void add_robustness(const SearchRequest& request, EvaluationBudget& budget, Sear
 
 bool comes_before(const Puzzle& p, const Shot& a, const Shot& b) {
   if (a.path.scratch != b.path.scratch) return b.path.scratch;
-  const auto merit = [&](const Shot& s) {
-    return p.prefer == Prefer::robust && s.robustness.value ? *s.robustness.value : first_merit(p, s);
-  };
-  return merit(a) > merit(b);
+  return merit(p, a) > merit(p, b);
 }
 
 }  // namespace bankshot::planning

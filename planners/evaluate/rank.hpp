@@ -13,8 +13,9 @@
 
 namespace bankshot::planning {
 
-/// Returns the merit of a shot by `prefer`, before its success is known; larger is better.
-double first_merit(const Puzzle& puzzle, const Shot& shot);
+/// Returns the merit of a shot by `prefer`; larger is better. That of a robust shot is its first-order margin until its
+/// value is known.
+double merit(const Puzzle& puzzle, const Shot& shot);
 
 /// Returns whether a shot comes before another one by `prefer`; the less likely to fall into a pocket comes first.
 bool comes_before(const Puzzle& puzzle, const Shot& a, const Shot& b);

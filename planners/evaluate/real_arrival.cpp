@@ -16,16 +16,6 @@ namespace {
 
 using Number = bankshot::Dual<2>;
 
-/// Returns the rest of a ball that stops just as it touches a cushion, as nearly as touching is told; none if it would
-/// go on.
-template <class Motion>
-std::optional<State<Number>> stops_at(const Vec2<Number>& bounce, const Boundary& boundary, const Motion& motion,
-                                      const State<Number>& before) {
-  const State<Number> rest = arrive_locked(motion, boundary.body, before, {}, 0, true).state;
-  const bool goes_on = norm(value(rest.at - bounce)) > boundary.touch;
-  return goes_on ? std::nullopt : std::optional(rest);
-}
-
 /// The state of a ball on arrival, and its heading, also if it rests there.
 struct Arrived {
   State<Number> state;
@@ -34,7 +24,8 @@ struct Arrived {
 
 /// Returns the last ball at that time, or where it falls or rests before. None where a ball meets one that is to stand,
 /// or where the last has bounced more often. A bounce at that time is taken where it is counted. A ball that is to
-/// stop, and stops as it touches the cushion, rests as if none were there: that bounce has no derivative.
+/// stop, and stops as it touches the cushion (as nearly as touching is told), rests as if none were there: that bounce
+/// has no derivative.
 template <class Motion, class Cushion>
 std::optional<Arrived> follow(const SearchRequest& request, const Objects::Chain& chain, const Motion& motion,
                               ManyBalls<Number, Motion, Cushion>& sim, double seconds, std::size_t bounces) {
@@ -59,8 +50,11 @@ std::optional<Arrived> follow(const SearchRequest& request, const Objects::Chain
     const bool rebounds = e.event.kind == EventKind::cushion && e.ball == last;
     if (rebounds && ++bounced > bounces) return {};
     if (rebounds && arrived && bounced == bounces) return at(sim.state(last));
-    if (rebounds && request.stop && bounced == bounces)
-      if (const auto rest = stops_at(sim.state(last).at, chain.moving.back(), motion, before)) return at(*rest);
+    if (rebounds && request.stop && bounced == bounces) {
+      const Boundary& boundary = chain.moving.back();
+      const State<Number> rest = arrive_locked(motion, boundary.body, before, {}, 0, true).state;
+      if (!(norm(value(rest.at - sim.state(last).at)) > boundary.touch)) return at(rest);
+    }
     const auto is_met = [&](const Objects::Object* ball) { return e.event.contact == Contact::ball(ball->ball); };
     if (e.event.kind == EventKind::ball && std::ranges::none_of(chain.balls, is_met)) return {};
     const bool ends = e.event.kind == EventKind::pocket || (request.stop && e.event.kind == EventKind::rest);
@@ -75,7 +69,8 @@ std::optional<Moved> real_arrival(const SearchRequest& request, const Shot& shot
       shot.path.then.empty() ? nullptr : request.problem->objects->chain_by(shot.path.then.front().ball);
   if (!chain) return {};
   return with_physics(request.puzzle().physics, [&](const auto& motion, const auto& cushion) -> std::optional<Moved> {
-    std::vector<BallStart<Number>> balls{{&chain->moving.front(), dual_start<Number, 2>(request, shot.launch), 0}};
+    std::vector<BallStart<Number>> balls{
+        {&chain->moving.front(), dual_start<Number, 2>(request, shot.launch, request.spin), 0}};
     for (std::size_t i = 0; i < chain->balls.size(); ++i)
       balls.push_back({&chain->moving[i + 1], {.at = to<Number>(chain->balls[i]->at_rest.at)}, chain->balls[i]->ball});
     ManyBalls sim(std::span<const BallStart<Number>>(balls), motion, cushion, collisions(request.puzzle().physics));

@@ -25,8 +25,7 @@ std::optional<Shot> moved(const SearchRequest& request, EvaluationBudget& budget
   if (!proof.holds()) return {};
   Shot& shot = proof.shot;
   add_aftermath(request, budget, shot);
-  shot.provenance.planner = from.provenance.planner;
-  shot.provenance.simulations = from.provenance.simulations;
+  shot.provenance = from.provenance;
   shot.provenance.moved = true;
   add_first_order(request, shot, budget.work());
   shot.verification.digits = promised_digits(request, shot);
@@ -38,8 +37,7 @@ std::optional<Shot> moved(const SearchRequest& request, EvaluationBudget& budget
 
 bool make_safest(const SearchRequest& request, EvaluationBudget& budget, Shot& shot, double worth) {
   using namespace settings::outcome_map;
-  OutcomeMap map(request, budget, shot);
-  const auto likely = map.best(worth);
+  const auto likely = likely_launches(request, budget, shot, worth);
   if (likely.empty() && worth > -1) return false;
   std::optional<Shot> best;
   const std::size_t tried = request.all() ? 1 : most_tried;  // a list has many shots

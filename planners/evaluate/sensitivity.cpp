@@ -19,10 +19,7 @@ double moved(const SearchRequest& request, const Shot& shot, const Route& route,
              const VariedPhysics<one_varies>& physics, const Motion& motion, Work& work) {
   const RouteBalls plain = request.problem->balls();
   const RouteBallsOf<Varied> balls(plain.struck, plain.others, physics.balls, plain.carom);
-  const State<double> launch = start_of(request, shot.launch);
-  const State<Varied> start{to<Varied>(launch.at),
-                            to<Varied>(launch.velocity),
-                            {Varied(launch.spin.x), Varied(launch.spin.y), Varied(launch.spin.z)}};
+  const State<Varied> start = to<Varied>(start_of(request, shot.launch));
   const Body& body = request.problem->boundary_of(request.problem->aim_point_of(shot).ball).body;
   const auto arrival =
       trace(balls, motion, physics.cushion, std::span<const Meeting>(route), start,

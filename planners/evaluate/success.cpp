@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // `success`: the probability that the target is made, by any allowed cushions, under the player's normal errors of aim
-// and speed (more of them: all_errors.hpp).
+// and speed (more of them: success_under_all_errors).
 // Method: counted in the player's deviations the errors of aim and speed are equally likely in every direction, so
 // their plane may be turned. `across` is the direction that moves the arrival most, to first order; `along` is at right
 // angles to it. The made launches are then one strip, or a few, along `along`. Noise scanlines cross it. The edges on a
@@ -18,7 +18,6 @@
 #include <cmath>
 #include <limits>
 
-#include "planners/evaluate/all_errors.hpp"
 #include "planners/evaluate/noise_scanlines.hpp"
 #include "planners/evaluate/room.hpp"
 #include "planners/evaluate/settings.hpp"
@@ -90,12 +89,11 @@ class Chance {
   std::size_t most() const { return scratches_ ? most_samples_of_balls : most_samples; }
   bool left() const { return !budget_.spent(); }
 
-  /// Simulates one pair of errors. If no simulation is left, it decides by the scanline's edges.
+  /// Simulates one pair of errors. If no simulation is left, it is not made.
   bool made(NoiseScanline& line, double across) {
-    const auto at = std::lower_bound(line.tries.begin(), line.tries.end(), across,
-                                     [](const NoiseScanline::Try& t, double v) { return t.across < v; });
+    const auto at = std::ranges::lower_bound(line.tries, across, {}, &NoiseScanline::Try::across);
     if (at != line.tries.end() && at->across == across) return at->made;
-    if (!left()) return line.made(across);
+    if (!left()) return false;
     ++used_;
     const double turned = across_.x * across - across_.y * line.along,
                  harder = across_.y * across + across_.x * line.along;
@@ -223,6 +221,16 @@ class Chance {
 };
 
 }  // namespace
+
+double success_under_all_errors(const SearchRequest& request, EvaluationBudget& budget, const Shot& shot) {
+  long made = 0;
+  each_play(request.spinning(shot.spin), shot.launch, settings::all_errors::draws,
+            [&](const SearchRequest& own, const Launch& struck) {
+              made += replay(own, budget, struck, Goal::counted(own, shot)).made;
+              return true;
+            });
+  return static_cast<double>(made) / settings::all_errors::draws;
+}
 
 void find_success(const SearchRequest& request, EvaluationBudget& budget, Shot& shot) {
   shot.robustness.success = request.puzzle().errs_in_more() ? success_under_all_errors(request, budget, shot)

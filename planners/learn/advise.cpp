@@ -6,8 +6,8 @@
 
 #include "bankshot/plan/planner.hpp"
 #include "planners/evaluate/success.hpp"
+#include "planners/in_parallel.hpp"
 #include "planners/learn/outliers.hpp"
-#include "planners/learn/parallel.hpp"
 #include "planners/learn/player.hpp"
 
 namespace bankshot {

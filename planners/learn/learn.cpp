@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include "bankshot/numbers/random.hpp"
+#include "planners/in_parallel.hpp"
 #include "planners/learn/goodness.hpp"
 #include "planners/learn/launch.hpp"
 #include "planners/learn/least_squares.hpp"
-#include "planners/learn/parallel.hpp"
 #include "planners/learn/settings.hpp"
 
 namespace bankshot::planning {

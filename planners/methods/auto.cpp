@@ -33,10 +33,10 @@ bool settled(const SearchRequest& request, const EvaluationBudget& budget, const
 
 /// Returns the best shot so far, as far as can be told before its success is known.
 const Shot& best_of(const SearchRequest& request, const SearchResult& found) {
-  const auto merit = [&](const Shot& s) {
-    return request.puzzle().prefer == Prefer::robust ? s.robustness.success_estimate : first_merit(request.puzzle(), s);
+  const auto promise = [&](const Shot& s) {
+    return request.puzzle().prefer == Prefer::robust ? s.robustness.success_estimate : merit(request.puzzle(), s);
   };
-  return *std::ranges::max_element(found.shots, {}, merit);
+  return *std::ranges::max_element(found.shots, {}, promise);
 }
 
 /// Returns whether an improvement pass is wanted. Images find most of the best shots; wide cells look for a better one.
@@ -85,10 +85,8 @@ using Seeds = std::function<std::remove_pointer_t<propose::Proposer>>;
 Seeds seeds_of(const SearchRequest& request) {
   if (!request.problem->objects) return propose::stretched_images;
   if (request.problem->carom()) return propose::caroms;
-  return
-      [known = propose::KnownLegs{}](const SearchRequest& one, EvaluationBudget& budget, SearchResult& found) mutable {
-        propose::chains_again(one, budget, found, known);
-      };
+  return [known = propose::KnownLegs{}](const SearchRequest& one, EvaluationBudget& budget,
+                                        SearchResult& found) mutable { propose::chains(one, budget, found, known); };
 }
 
 /// Goes from simple to complex: `look` at shots by ever more cushions of the cue ball and of the last object ball
@@ -118,27 +116,18 @@ void each_stage(const SearchRequest& request, EvaluationBudget& budget, SearchRe
   }
 }
 
-/// Counts starts by their routes and aim points.
-class Starts {
- public:
-  /// Counts a start; returns how many had its route and aim point, with this one.
-  int count(const Candidate& candidate) {
-    const auto same = [&](const auto& known) {
-      return known.first.aim_point == candidate.aim_point && known.first.route == candidate.route;
-    };
-    auto it = std::ranges::find_if(counted_, same);
-    if (it == counted_.end()) it = counted_.insert(it, {candidate, 0});
-    return ++it->second;
-  }
-
- private:
-  std::vector<std::pair<Candidate, int>> counted_{};
-};
+/// Adds a start; returns how many have its route and aim point, with this one.
+std::ptrdiff_t times_started(std::vector<Candidate>& starts, const Candidate& candidate) {
+  starts.push_back(candidate);
+  return std::ranges::count_if(starts, [&](const Candidate& known) {
+    return known.aim_point == candidate.aim_point && known.route == candidate.route;
+  });
+}
 
 /// Climbs the branches of a stage where more than one quantity is free, from all roots of the samples, the highest
 /// first.
 void climb_branches(const SearchRequest& request, const SearchRequest& stage, EvaluationBudget& budget,
-                    SearchResult& found, Starts& climbed) {
+                    SearchResult& found, std::vector<Candidate>& climbed) {
   struct Foot {
     Candidate start;
     branch::BranchSearch::Tried at;
@@ -161,19 +150,19 @@ void climb_branches(const SearchRequest& request, const SearchRequest& stage, Ev
   }
   std::ranges::stable_sort(feet, [](const Foot& a, const Foot& b) { return a.at.above(b.at); });
   for (const Foot& foot : feet)
-    if (!stop::over(request, budget, found) && climbed.count(foot.start) <= settings::branch::most_starts)
+    if (!stop::over(request, budget, found) && times_started(climbed, foot.start) <= settings::branch::most_starts)
       branch::BranchSearch(request, budget, found, foot.start).climb_from(foot.at);
 }
 
 /// Searches branches from roots of a few arrival speeds and spins, along each route to each aim point.
 void along_branches(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
-  Starts followed;
+  std::vector<Candidate> followed;
   const bool surfaces = branch::BranchSearch::freedom(request) > 1;
   // Roots of a carom by one route lie on several curves.
   const int most = surfaces || request.problem->carom() ? settings::branch::most_starts : 1;
   const auto follow = [&](std::span<const Candidate> candidates) {
     for (const Candidate& candidate : candidates) {
-      if (stop::over(request, budget, found) || followed.count(candidate) > most) continue;
+      if (stop::over(request, budget, found) || times_started(followed, candidate) > most) continue;
       branch::BranchSearch branch(request, budget, found, candidate);
       if (!surfaces)
         branch.search();
@@ -194,7 +183,7 @@ void along_branches(const SearchRequest& request, EvaluationBudget& budget, Sear
   });
   if (request.problem->carom()) {
     std::ranges::stable_sort(found.shots, std::greater(),
-                             [&](const Shot& shot) { return first_merit(request.puzzle(), shot); });
+                             [&](const Shot& shot) { return merit(request.puzzle(), shot); });
     keep_connected_once(request, budget, found.shots);
   }
   if (request.problem->objects) return;

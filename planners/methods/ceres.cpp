@@ -23,9 +23,8 @@ void from_fan(const SearchRequest& request, EvaluationBudget& budget, SearchResu
     for (int n = request.cushions().min; n <= request.cushions().max; ++n) {
       if (stop::enough_seeds(request, budget, found)) return;
       const double angle = radians(360.0 / aims) * i;
-      std::vector<Contact> contacts;
-      trace(request, budget, angle, Goal::exactly(request, n), &contacts);
-      const Route route = request.route ? *request.route : route_by(contacts);
+      const Trace path = trace(request, budget, angle, Goal::exactly(request, n));
+      const Route route = request.route ? *request.route : route_by(path.replay.path.cushions);
       if (static_cast<int>(route.size()) != n) continue;
       for (const AimPoint& aim_point : request.problem->aim_points)
         refine_aim({request, route, aim_point}, budget, found, angle, request.problem->boundary.diagonal, word, find);

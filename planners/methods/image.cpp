@@ -36,7 +36,7 @@ bool centred(const SearchRequest& request, EvaluationBudget& budget, SearchResul
     return true;
   }
   if (candidates.too_long() > 0)
-    found.remember({{}, 0, std::numeric_limits<double>::infinity(), {FailureReason::too_long}});
+    found.remember({{}, std::numeric_limits<double>::infinity(), {FailureReason::too_long}});
   if (!candidates.whole()) found.add_note("there are too many cushion sequences to try them all");
   return candidates.whole();
 }

@@ -64,7 +64,7 @@ struct Objective {
     double value = std::pow(std::min(r.miss / request.problem->boundary.diagonal, 1.0), 2);
     if (!r.made && r.failure.reason != FailureReason::missed) value += most_miss;
     if (request.arrival && !request.stop) {
-      const double v = r.arrival.speed, asked = std::clamp(v, request.arrival->low, request.arrival->high);
+      const double v = r.path.arrival.speed, asked = std::clamp(v, request.arrival->low, request.arrival->high);
       value += std::pow((v - asked) / std::max(1.0, asked), 2);
     }
     if (value < least) least = value, best = l;
@@ -165,11 +165,9 @@ class Planner {
     double x[2];
     minimise(request_, opt.get(), angles_, start, x);
     if (!std::isfinite(objective.least)) return;
-    std::vector<Contact> contacts;
-    const Replay r = replay(request_, budget_, objective.best, Goal::of(request_), &contacts);
-    contacts.resize(std::min(contacts.size(), static_cast<std::size_t>(std::max(0, r.bounces))));
-    const auto root = refine(request_, budget_, objective.best, route_by(contacts));
-    certify(request_, budget_, found_, root.value_or(objective.best), static_cast<int>(contacts.size()), step_);
+    const Replay r = replay(request_, budget_, objective.best, Goal::of(request_));
+    const auto root = refine(request_, budget_, objective.best, route_by(r.path.cushions));
+    certify(request_, budget_, found_, root.value_or(objective.best), r.bounces(), step_);
   }
 
   void run_locked(const Launch& start, const Branch& aim) {

@@ -2,7 +2,7 @@
 //
 // Planner `sweep`: follows the aim once around the circle. If a path's shape does not depend on its speed (`ideal`,
 // `rolling`), this is a search in one dimension. It sees what no image can: bounces on reflex vertices, cushions
-// without rebound. Otherwise it is a partition of aim and speed (forward_map.hpp).
+// without rebound. Otherwise it is a partition of aim and speed (forward_map.cpp).
 // Method: trace a fan of aims. Between two neighbours that meet different cushions bisect down to rounding. Between two
 // that meet the same ones look for a change of side of the target and bisect to it.
 // Cost: about 5,000 traces. Guarantee: none; a route narrower than the fan's spacing that lies between two equal
@@ -41,24 +41,19 @@ class Sweep {
       : request_(request), budget_(budget), found_(found) {}
 
   void run() {
-    const Range around = aims();
+    const Range around = request_.angle.value_or(whole_turn);
     Sample before = sample(around.low);
     for (int i = 1; i <= fan && !stop::over(request_, budget_, found_); ++i) {
       Sample after = sample(around.low + (around.high - around.low) * i / fan);
       between(before, after);
       before = std::move(after);
     }
-  }
-
-  /// Searches beside the target's centre, for puzzles in which nothing reaches the centre.
-  void beside_centre() {
-    const Range around = aims();
-    reach_part(request_, budget_, found_, around, around.low, fan + 1, Goal::of(request_), word::partition);
+    // Nothing reaches the target's centre, but parts of the target may lie open beside it.
+    if (found_.shots.empty())
+      reach_part(request_, budget_, found_, around, around.low, fan + 1, Goal::of(request_), word::partition);
   }
 
  private:
-  Range aims() const { return request_.angle.value_or(whole_turn); }
-
   Sample sample(double angle) {
     Sample out{.angle = angle, .contacts = {}};
     Simulator sim(request_.problem->boundary, Ideal{}, Mirror{restitution(request_.puzzle().physics)},
@@ -133,9 +128,7 @@ class Sweep {
 void sweep(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   if (!is_straight(request.puzzle().physics))
     return propose::partition(request, budget, found, propose::usual_spacing(request));
-  Sweep sweep(request, budget, found);
-  sweep.run();
-  if (found.shots.empty()) sweep.beside_centre();
+  Sweep(request, budget, found).run();
 }
 
 }  // namespace bankshot::planning::methods

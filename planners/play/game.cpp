@@ -26,12 +26,6 @@ Puzzle of_one_shot(Puzzle puzzle, const SolveOptions& options) {
 
 bool is_last_ball(const Puzzle& puzzle) { return order_of(puzzle).size() == 1 && order_of(puzzle).front().size() == 1; }
 
-void add_cost(const Answer& of, Answer& to) {
-  to.simulations += of.simulations;
-  to.time_us += of.time_us;
-  to.cost.work += of.cost.work;
-}
-
 std::vector<std::optional<Vec2d>> places_after(const Puzzle& puzzle, const Shot& shot) {
   const SearchRequest request(puzzle);
   EvaluationBudget aside(std::numeric_limits<long>::max());
@@ -61,7 +55,7 @@ std::optional<Shot> safety_of(const Puzzle& puzzle, const SolveOptions& options,
   SolveOptions own = options;
   own.all = own.suggest = false;
   Answer safe = solve(asked, own);
-  add_cost(safe, a);
+  a.add_cost(safe);
   if (safe.shots.empty()) return {};
   safe.shots.front().safety = true;
   return std::move(safe.shots.front());
@@ -81,9 +75,7 @@ std::string why(const Puzzle& puzzle, const Shot& shot, const SolveOptions& opti
   Puzzle pot = asked;
   pot.leave.reset();
   pot.spin_range.reset();
-  SolveOptions own = options;
-  own.all = own.suggest = own.sensitivity = false;
-  const Answer likeliest = solve(pot, own);
+  const Answer likeliest = solve(pot, options);
   if (likeliest.shots.empty()) return "";
   const Shot& other = likeliest.shots.front();
   const double made = *shot.robustness.success, others_made = *other.robustness.success;
@@ -100,8 +92,6 @@ std::string why(const Puzzle& puzzle, const Shot& shot, const SolveOptions& opti
 
 Plan plan_of(const Puzzle& puzzle, const Shot& first, const SolveOptions& options, Answer& a) {
   Plan plan;
-  SolveOptions own = options;
-  own.all = own.suggest = own.sensitivity = false;
   std::size_t left = 0;
   for (const std::vector<int>& group : order_of(puzzle)) left += group.size();
   plan.clears = {first.robustness.success.value_or(first.leave->success)};
@@ -114,8 +104,8 @@ Plan plan_of(const Puzzle& puzzle, const Shot& first, const SolveOptions& option
     if (!now || !shot->leave->next) break;
     const double estimate = shot->leave->next->success;
     const Puzzle asked = of_one_shot(*now, options);
-    const Answer answer = solve(asked, own);
-    add_cost(answer, a);
+    const Answer answer = solve(asked, options);
+    a.add_cost(answer);
     if (answer.shots.empty()) break;
     plan.next.push_back({asked, answer.shots.front()});
     shot = &plan.next.back().shot;
@@ -152,8 +142,11 @@ Answer solve_game(const Puzzle& puzzle, const SolveOptions& options) {
       a.nearest.reset();
     }
   if (a.shots.empty() || a.shots.front().safety || options.depth == 0) return a;
-  a.plan = plan_of(puzzle, a.shots.front(), options, a);
-  if (options.robustness) a.plan->why = why(puzzle, a.shots.front(), options);
+  // The best shot of each further question is enough.
+  SolveOptions best = options;
+  best.all = best.suggest = best.sensitivity = false;
+  a.plan = plan_of(puzzle, a.shots.front(), best, a);
+  if (options.robustness) a.plan->why = why(puzzle, a.shots.front(), best);
   return a;
 }
 

@@ -69,9 +69,7 @@ class Search {
     Puzzle from_here = placed(puzzle_, at);
     from_here.game.reset();
     Answer a = solve(from_here, options_);
-    spent_.simulations += a.simulations;
-    spent_.time_us += a.time_us;
-    spent_.cost.work += a.cost.work;
+    spent_.add_cost(a);
     if (a.shots.empty()) return false;
     Shot& shot = a.shots.front();
     if (shot.robustness.value && may_double_hit(from_here, shot)) *shot.robustness.value -= double_hit;
@@ -97,9 +95,7 @@ Answer solve_in_hand(const Puzzle& puzzle, const SolveOptions& options) {
   const Vec2d at = search.best_place();
   Answer a = solve(placed(puzzle, at), options);
   for (Shot& shot : a.shots) shot.placed = at;
-  a.simulations += search.spent().simulations;
-  a.time_us += search.spent().time_us;
-  a.cost.work += search.spent().cost.work;
+  a.add_cost(search.spent());
   return a;
 }
 

@@ -23,9 +23,6 @@ struct Root {
   Vector x;
   double slope = 0;             ///< m across the target for a radian of aim
   std::optional<Range> made{};  ///< of a pocket: the widest range of shifts that are made
-
-  /// m across the target, of the middle of what is made.
-  double middle() const { return made ? (made->low + made->high) / 2 : 0; }
 };
 
 /// A launch that makes its target, and how it leaves the cue ball.

@@ -22,6 +22,7 @@
 #include "planners/play/leave_success.hpp"
 #include "planners/play/settings.hpp"
 #include "planners/play/two_pots.hpp"
+#include "planners/solve/least_change.hpp"
 #include "planners/verify/certify.hpp"
 
 namespace bankshot::planning::play {
@@ -38,7 +39,6 @@ class Search {
         budget_(budget),
         found_(found),
         worth_(request.puzzle()),
-        two_pots_(request),
         launches_(request, budget, worth_) {
     const auto balls = request.problem->whole->balls();
     for (std::size_t k = 1; k < balls.size(); ++k)
@@ -115,11 +115,7 @@ class Search {
     for (const Candidate& c : candidates.candidates) {
       if (budget_.spent()) return;
       routes_.push_back(c.route);
-      Vector x = branch::vector_of(c.launch, c.spin);
-      if (request_.angle) {
-        const double middle = (request_.angle->low + request_.angle->high) / 2;
-        x[aim] = middle + angle_difference(wrap_angle(middle), x[aim]);
-      }
+      const Vector x = branch::vector_of({c.launch.speed, branch::near_window(c.launch.angle, request_.angle)}, c.spin);
       roots_.push_back({{request_, routes_.back(), c.aim_point}, x});
       launches_.look_across(roots_.back());
       // There are many launches of each spin where any contact counts, so all spins but one wait for all roots.
@@ -257,9 +253,10 @@ class Search {
   void measure(Launched& one, int plays, double least = -infinite) {
     EvaluationBudget aside(std::numeric_limits<long>::max(), budget_);
     const auto* next = std::get_if<LeaveForNext>(&*request_.puzzle().leave);
-    const Worth worth = next && next->plies > 1
-                            ? Worth([&](const Ending& ending) { return two_pots_(next->order, ending, aside); })
-                            : Worth(std::cref(worth_));
+    const auto both = [&](const Ending& ending) {
+      return two_pots(request_, aside, worth_.next_pot(), next->order, ending);
+    };
+    const Worth worth = next && next->plies > 1 ? Worth(both) : Worth(std::cref(worth_));
     const double may_lose = (1 - least - cost_of(one.shot)) * plays;
     play_leave(request_, aside, worth, one.shot, plays, one.plays, [&](double won) {
       ++one.plays, one.lost += 1 - won;
@@ -445,7 +442,6 @@ class Search {
   EvaluationBudget& budget_;
   SearchResult& found_;
   LeaveWorth worth_;
-  TwoPots two_pots_;
   Launches launches_;
   Grid grid_ = usual;
   bool left_ = true;  ///< some shot leaves the cue ball as asked

@@ -90,15 +90,11 @@ NextPot::Best NextPot::pot(const Mouth& to, int ball, std::span<const std::optio
 
 bool NextPot::is_blocked(const Vec2d& from, const Vec2d& to, int ball, int by,
                          std::span<const std::optional<Vec2d>> places) const {
-  const Vec2d way = to - from;
-  const double length2 = dot(way, way);
   for (std::size_t k = 1; k < places.size(); ++k) {
     const int other = static_cast<int>(k);
     if (!places[k] || other == ball || other == by) continue;
-    const double share = length2 > 0 ? std::clamp(dot(*places[k] - from, way) / length2, 0.0, 1.0) : 0;
-    const Vec2d off = *places[k] - (from + way * share);
     const double touching = touching_distance(body(ball), body(other));
-    if (dot(off, off) < touching * touching) return true;
+    if (square_to_segment(*places[k], from, to) < touching * touching) return true;
   }
   return false;
 }

@@ -11,21 +11,9 @@
 
 namespace bankshot::planning::play {
 
-class TwoPots {
- public:
-  explicit TwoPots(const SearchRequest& request) : request_(request), next_(request.puzzle()) {}
-
-  /// Returns the largest product of the two chances for balls that are potted in this order; the first chance alone
-  /// where no ball is left after it.
-  double operator()(const PottingOrder& order, const Ending& ending, EvaluationBudget& budget) const;
-
- private:
-  /// Returns the largest chance of a pot after this one.
-  double after(const NextPot::Best& pot, const PottingOrder& order, const Ending& ending,
-               EvaluationBudget& budget) const;
-
-  SearchRequest request_;
-  NextPot next_;
-};
+/// Returns the largest product of the two chances for balls that are potted in this order; the first chance alone
+/// where no ball is left after it. `next`: the estimate for the request's puzzle.
+double two_pots(const SearchRequest& request, EvaluationBudget& budget, const NextPot& next, const PottingOrder& order,
+                const Ending& ending);
 
 }  // namespace bankshot::planning::play

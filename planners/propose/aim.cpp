@@ -34,7 +34,7 @@ class AimTried {
     if (attempt(angle, 0)) return true;
     if (demand_ == Demand::off_centre || !(last_.made || rounding_may_matter(last_))) return false;
     // The trace runs at unit speed, so its time bounds the metres by which a radian of aim moves the arrival.
-    const double path = std::max(last_.arrival.time, 1e-3 * request_.problem->boundary.diagonal);
+    const double path = std::max(last_.path.arrival.time, 1e-3 * request_.problem->boundary.diagonal);
     const double step = tolerance::nudge * request_.problem->boundary.diagonal / path;
     if (round_angle(angle, step) || beside(angle, step)) return true;
     found_.rounding_decided = found_.rounding_decided || !(alike_ || budget_.cut());
@@ -49,7 +49,7 @@ class AimTried {
     if (!t.replay.made) {
       if (!first_) first_ = t.replay.failure;
       alike_ = alike_ && first_->like(last_.failure);
-      found_.remember({{request_.speed.high, angle}, bounces_, t.replay.miss, t.replay.failure});
+      found_.remember({{request_.speed.high, angle}, t.replay.miss, t.replay.failure});
       return false;
     }
     const auto speed = launch_speed(request_, found_, angle, t, demand_);
@@ -104,7 +104,7 @@ std::optional<double> launch_speed(const SearchRequest& request, SearchResult& f
     low = speed_for(request.arrival->low);
     high = speed_for(request.arrival->high);
     const auto refuse = [&](FailureReason reason, double needed, double bound) {
-      found.remember({{bound, angle}, t.replay.bounces, t.replay.miss, {reason, {}, needed}});
+      found.remember({{bound, angle}, t.replay.miss, {reason, {}, needed}});
       return std::nullopt;
     };
     // A ball that rests beside the target's centre may still rest within the target.

@@ -53,8 +53,9 @@ class OneAim {
     if (!r.made && r.failure.reason != FailureReason::missed) return {speed, hopeless};
     const double miss = r.miss / request_.problem->boundary.diagonal;
     const bool any_speed = !request_.arrival || request_.stop;
-    return {speed,
-            -(any_speed ? miss : miss + std::abs(r.arrival.speed - request_.asked) / std::max(1.0, request_.asked))};
+    return {
+        speed,
+        -(any_speed ? miss : miss + std::abs(r.path.arrival.speed - request_.asked) / std::max(1.0, request_.asked))};
   }
 
   double best_between(const Tried& low, const Tried& best, const Tried& high) {

@@ -64,10 +64,11 @@ template <class Motion, class Cushion>
 void ChainPath::follow_on(const Motion& motion, const Cushion& cushion, int n, const State<double>& sent,
                           const Route& before, const Place& place, const Launch& launch, Followed& out) const {
   Simulator sim(alone(n), motion, cushion, sent);
+  Route route;  // cushions met, until there are too many of them or the ball falls or rests
   std::vector<Contact> met;
   if (n > 0 && request_.problem->carom()) met = contacts_of(before);
   const auto fell = [&](const State<double>& s) {
-    if (norm(s.velocity) > 0) out.falls.push_back(fall_of(joined(before, out.route), launch, *place.aim_point, s));
+    if (norm(s.velocity) > 0) out.falls.push_back(fall_of(joined(before, route), launch, *place.aim_point, s));
   };
   double nearest = forever;  // m, on this leg
   Pass pass{0, false};
@@ -85,16 +86,14 @@ void ChainPath::follow_on(const Motion& motion, const Cushion& cushion, int n, c
   };
   const auto ends = [&](const Event& e) {
     const bool counts = static_cast<int>(met.size()) >= least(n);
-    out.end = e.contact;
-    out.nearest = std::min(out.nearest, nearest);
-    if (counts && nearest < forever) out.passes.emplace(out.route, pass);
+    if (counts && nearest < forever) out.passes.emplace(route, pass);
     if (counts && place.aim_point && e.kind == EventKind::pocket && e.contact == place.aim_point->taken_by)
       fell(sim.state());
     if (counts && place.aim_point && !place.aim_point->drops() && nearest < place.reach) fell(passing);
     if (e.kind != EventKind::cushion) return false;
     met.push_back(e.contact);
     if (!is_on(n, met)) return false;
-    out.route.push_back({number(n), e.contact});
+    route.push_back({number(n), e.contact});
     return true;
   };
   each_leg(sim, budget_.work(), begins, ends, look);

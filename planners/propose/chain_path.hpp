@@ -39,9 +39,6 @@ struct Fall {
 /// The path of one ball after its contact.
 struct Followed {
   std::map<Route, Pass> passes{};  ///< one for each leg, by the route up to there
-  Route route{};                   ///< cushions met, until there are too many of them or the ball falls or rests
-  Contact end{};
-  double nearest = forever;  ///< m; least distance to the place
   std::vector<Fall> falls{};
 };
 

@@ -44,7 +44,7 @@ class Chains {
                   request.one_unknown() ? std::optional(request.fixed_speed()) : std::nullopt) {}
 
   void run(std::vector<Candidate>& known) {
-    for (const Leg& leg : legs(request_, budget_, chain_, stretched_images, known)) {
+    for (const Leg& leg : legs(request_, budget_, chain_, known)) {
       if (stop::enough_seeds(request_, budget_, found_)) return;
       if (is_worth(leg, norm(last_.at_rest.at - request_.puzzle().ball.at))) join_all(leg);
       if (is_settled(leg)) known.push_back(leg.alone);
@@ -64,10 +64,12 @@ class Chains {
 
   /// Joins the leg with all routes through its ghost ball: images, and in a combination the chains of the balls before.
   void join_all(const Leg& leg) {
-    const SearchRequest at_ghost = to_ghost_.at(ghost(direction(leg.launch().angle)));  // corrections move the place
+    // This is a copy, since corrections move the place.
+    const SearchRequest at_ghost = to_ghost_.at(ghost(direction(leg.launch().angle)), normal_speed(leg.launch().speed));
     if (!by_) return each_image(leg, at_ghost);
     SearchResult starts;
-    chains(to_ghost_.at(at_ghost.problem->aim_points.front().at, normal_speed(leg.launch().speed)), budget_, starts);
+    KnownLegs none;
+    chains(at_ghost, budget_, starts, none);
     for (const Candidate& candidate : starts.candidates) {
       if (stop::enough_seeds(request_, budget_, found_)) return;
       if (!has_candidate(leg, candidate.route)) join(leg, candidate.route, candidate.launch);
@@ -86,10 +88,8 @@ class Chains {
         Route route = images.route(*image);
         if (settled.contains(route) || has_candidate(leg, route) || !is_worth(leg, image->distance)) continue;
         if (route.empty() && (share != settings::restitution_shares.front() || !may_hit(leg, image->angle))) continue;
-        const SearchRequest& own =
-            to_ghost_.at(at_ghost.problem->aim_points.front().at, normal_speed(leg.launch().speed));
         const auto speed =
-            speed_at({own, route, own.problem->aim_points.front()}, budget_, image->angle, image->distance);
+            speed_at({at_ghost, route, at_ghost.problem->aim_points.front()}, budget_, image->angle, image->distance);
         if (speed && join(leg, route, {*speed, image->angle})) settled.insert(std::move(route));
       }
       if (straight || (request_.route && !found_.shots.empty())) return;
@@ -143,7 +143,7 @@ class Chains {
       const Branch aim{own, route, own.problem->aim_points.front()};
       const auto root = newton(aim, budget_, seed, settings::wide);
       if (!root) return false;
-      seed = root.launch;
+      seed = *root;
       budget_.charge(route.size());
       auto arrival = arrival_of(aim, start_of(own, seed), request_.puzzle().physics, budget_.work());
       if (!arrival || !(dot(arrival->heading, n) > 0)) return false;
@@ -165,7 +165,7 @@ class Chains {
       const Launch from{request_.one_unknown() ? request_.fixed_speed() : seed.speed * faster, seed.angle};
       const auto root = newton(aim, budget_, from, settings::wide);
       if (!root) continue;
-      certify_root(aim, budget_, found_, root.launch, word::unfold);
+      certify_root(aim, budget_, found_, *root, word::unfold);
       return true;
     }
     return false;
@@ -182,12 +182,7 @@ class Chains {
 
 }  // namespace
 
-void chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
-  KnownLegs none;
-  chains_again(request, budget, found, none);
-}
-
-void chains_again(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, KnownLegs& known) {
+void chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, KnownLegs& known) {
   for (const Objects::Chain& chain : request.problem->objects->chains)
     if (!is_hidden(request, chain)) Chains(request, budget, found, chain).run(known[&chain]);
 }

@@ -67,11 +67,6 @@ class ContactWindows {
     Route route;  ///< up to the contact with the ball that is touched
     Range aims;
   };
-  /// An aim, and the path of the ball that is followed.
-  struct Sample {
-    double aim;
-    Followed ball;
-  };
   using Track = std::vector<std::optional<Pass>>;
 
   bool over() const { return stop::one_found(request_, budget_, found_); }
@@ -237,9 +232,9 @@ class ContactWindows {
     std::vector<Launch>& known = roots_[route];
     const auto found = newton(aim, budget_, launch(at), settings::wide);
     if (!found) return;
-    if (std::ranges::any_of(known, [&](const Launch& k) { return alike(k, found.launch); })) return;
-    known.push_back(found.launch);
-    if (certify_root(aim, budget_, found_, found.launch, step_)) made_.insert(route);
+    if (std::ranges::any_of(known, [&](const Launch& k) { return alike(k, *found); })) return;
+    known.push_back(*found);
+    if (certify_root(aim, budget_, found_, *found, step_)) made_.insert(route);
   }
 
   /// Returns whether any arrival speed of a range will do; then the launch speed need not change.
@@ -250,43 +245,30 @@ class ContactWindows {
   /// Calls `look(route, aims, track)` for each route that some aim has. Neighbouring aims get their passes from the
   /// locked path.
   template <class Look>
-  void each_track(int ball, const Route& before, const Place& place, const std::vector<double>& aims,
+  void each_track(int ball, const Route& before, const Place& place, const std::vector<double>& tried,
                   const Look& look) {
-    const std::vector<Sample> samples = followed(ball, before, place, aims);
-    std::vector<double> all;
+    std::vector<double> aims;
     std::map<Route, Track> tracks;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      all.push_back(samples[i].aim);
-      for (const auto& [route, pass] : samples[i].ball.passes) {
+    for (const double aim : tried) {
+      if (over()) break;
+      const Followed followed = path_.follow(ball, before, place, launch(aim));
+      for (const Fall& fall : followed.falls) falls_.remember(fall);
+      for (const auto& [route, pass] : followed.passes) {
         Track& track = tracks[route];
-        track.resize(samples.size());
-        track[i] = pass;
+        track.resize(aims.size());
+        track.push_back(pass);
       }
+      aims.push_back(aim);
     }
     for (auto& [route, track] : tracks) {
+      track.resize(aims.size());
       const Track real = track;
       const Route whole = joined(before, route);
-      for (std::size_t i = 0; i < all.size(); ++i)
-        if (!real[i] && ((i > 0 && real[i - 1]) || (i + 1 < all.size() && real[i + 1])))
-          track[i] = path_.locked_pass(whole, ball, place, launch(all[i]));
-      look(route, all, track);
+      for (std::size_t i = 0; i < aims.size(); ++i)
+        if (!real[i] && ((i > 0 && real[i - 1]) || (i + 1 < aims.size() && real[i + 1])))
+          track[i] = path_.locked_pass(whole, ball, place, launch(aims[i]));
+      look(route, aims, track);
     }
-  }
-
-  Sample sample(int ball, const Route& before, const Place& place, double aim) {
-    Sample out{aim, path_.follow(ball, before, place, launch(aim))};
-    for (const Fall& fall : out.ball.falls) falls_.remember(fall);
-    return out;
-  }
-
-  std::vector<Sample> followed(int ball, const Route& before, const Place& place, const std::vector<double>& aims) {
-    std::vector<Sample> out;
-    for (const double aim : aims) {
-      if (over()) break;
-      Sample now = sample(ball, before, place, aim);
-      out.push_back(std::move(now));
-    }
-    return out;
   }
 
   const SearchRequest& request_;

@@ -54,14 +54,14 @@ bool Falls::beside(const Fall& fall) {
   AimPoint aim_point = *fall.aim_point;
   aim_point.cuts = Cuts{fall.right, fall.right, fall.right};
   const auto there = newton({request_, fall.route, aim_point}, budget_, fall.launch, settings::wide);
-  return there && keep(there.launch, bounces_of(fall.route));
+  return there && keep(*there, bounces_of(fall.route));
 }
 
 /// Brings a fall to the speed asked by replays that keep the cut of the last ball. It is for falls to which no locked
 /// path leads, for example along a rail.
 bool Falls::by_replays(const SearchRequest& brought, const Fall& fall) {
   const auto made = made_as_asked(brought, budget_, fall.launch, turn_of(fall));
-  return made && keep(made->launch, made->replay.bounces);
+  return made && keep(made->launch, made->replay.bounces());
 }
 
 /// Returns the turn of the aim [rad per ln speed] that keeps the cut of the last ball.

@@ -183,11 +183,11 @@ class JawShots {
 
   std::optional<Dropped> drop(const Launch& launch) {
     if (budget_.spent() || launch.speed < request_.speed.low || launch.speed > request_.speed.high) return {};
-    std::vector<Contact> cushions;
-    const Replay r = replay(request_, budget_, launch, Goal::of(request_, Demand::made), &cushions);
+    const Replay r = replay(request_, budget_, launch, Goal::of(request_, Demand::made));
     if (!r.made) return {};
-    return Dropped{launch, r.arrival.speed, route_by(r.touches_jaws ? r.met : cushions),
-                   request_.problem->nearest_aim_point(r.arrival.at)};
+    const ShotPath& path = r.path;
+    return Dropped{launch, path.arrival.speed, route_by(path.touches_jaws ? path.met : path.cushions),
+                   request_.problem->nearest_aim_point(path.arrival.at)};
   }
 
   /// Returns how much faster than asked the ball drops [m/s]; below 0 if it is too slow.
@@ -222,8 +222,7 @@ class JawShots {
       l->r[0] = 0;  // the place where it falls stays as it is
       const auto step = newton_step(*l, false);
       if (!step) return false;
-      const auto [turn, push] = *step;
-      double by = 1 / std::max({1.0, std::abs(turn) / farthest.step_aim, std::abs(push) / farthest.step_speed});
+      double by = 1 / std::max(1.0, size_of(*step, farthest));
       const auto moved = [&] {
         return drop({at.launch.speed * std::exp(by * (*step)[1]), at.launch.angle + by * (*step)[0]});
       };

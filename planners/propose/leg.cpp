@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "planners/propose/part.hpp"
+#include "planners/propose/proposers.hpp"
 #include "planners/propose/settings.hpp"
 #include "planners/propose/unfold.hpp"
 #include "planners/trace/residual.hpp"
@@ -57,7 +58,7 @@ bool is_hidden(const SearchRequest& request, const Objects::Chain& chain) {
 }
 
 std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain,
-                      Proposer starts, std::vector<Candidate> known) {
+                      std::vector<Candidate> known) {
   const Part own = last_alone(request, chain);
   SearchRequest all(own.puzzle, Wanted::starts);
   if (hit_straight(request, chain)) all.angle = aims_of_a_hit(request, *chain.balls.front());
@@ -66,7 +67,7 @@ std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, co
   std::vector<Leg> out;
   const auto look = [&](const SearchRequest& one) {
     SearchResult found{.candidates = known};
-    starts(one, budget, found);
+    stretched_images(one, budget, found);
     for (Candidate& candidate : std::span(found.candidates).subspan(known.size())) {
       if (budget.spent()) return;
       if (uncounted && !meets_uncounted(*one.problem, candidate)) continue;

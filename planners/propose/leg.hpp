@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "bankshot/geometry/aim_point.hpp"
-#include "planners/propose/proposers.hpp"
+#include "planners/evaluation_budget.hpp"
+#include "planners/search_request.hpp"
+#include "planners/search_result.hpp"
 
 namespace bankshot::planning::propose {
 
@@ -19,10 +21,10 @@ struct Leg {
   const Launch& launch() const { return alone.launch; }
 };
 
-/// Returns the legs by the roots that a proposer finds, without those that are known. If only the launch speed of the
-/// cue ball is given, that of the object ball is guessed.
+/// Returns the legs by the roots to which stretched images lead, without those that are known. If only the launch speed
+/// of the cue ball is given, that of the object ball is guessed.
 std::vector<Leg> legs(const SearchRequest& request, EvaluationBudget& budget, const Objects::Chain& chain,
-                      Proposer starts, std::vector<Candidate> known = {});
+                      std::vector<Candidate> known = {});
 
 /// Returns whether the cue ball can reach the object ball by a straight line only.
 bool hit_straight(const SearchRequest& request, const Objects::Chain& chain);

@@ -92,12 +92,10 @@ Part last_alone(const SearchRequest& whole, const Objects::Chain& chain) {
 }
 
 ToPlace::ToPlace(const SearchRequest& whole, Part part, std::optional<double> pinned)
-    : part_(std::move(part)), request_(part_.puzzle, Wanted::starts), usual_(request_.asked) {
+    : part_(std::move(part)), request_(part_.puzzle, Wanted::starts) {
   request_.spin = whole.spin;
   request_.pinned = pinned;
 }
-
-const SearchRequest& ToPlace::at(const Vec2d& place) { return at(place, usual_); }
 
 const SearchRequest& ToPlace::at(const Vec2d& place, double speed) {
   place_of(part_.puzzle.target) = place;

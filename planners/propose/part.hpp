@@ -37,16 +37,13 @@ class ToPlace {
   ToPlace(const ToPlace&) = delete;
   ToPlace& operator=(const ToPlace&) = delete;
 
-  /// Returns the request with this place; valid until the next call. A copy keeps the place.
-  const SearchRequest& at(const Vec2d& place);
-  /// Returns the request with this place, at an arrival speed [m/s].
+  /// Returns the request with this place, at an arrival speed [m/s]; valid until the next call. A copy keeps both.
   const SearchRequest& at(const Vec2d& place, double speed);
   const Part& part() const { return part_; }
 
  private:
   Part part_;
   SearchRequest request_;
-  double usual_;  ///< m/s
 };
 
 }  // namespace bankshot::planning::propose

@@ -64,7 +64,7 @@ void partial_targets(const SearchRequest& request, EvaluationBudget& budget, Sea
     };
     if (std::ranges::any_of(leads, same)) continue;  // many pairs of routes lead to one root
     leads.push_back(std::move(lead));
-    Widest(request, budget, found, leads.back()).find();
+    climb_clearance(request, budget, found, leads.back());
   }
   if (!request.problem->objects) return;  // the partition of one ball sees them
   std::ranges::stable_sort(leads, std::ranges::greater{}, &Candidate::room);

@@ -23,12 +23,11 @@ void partition(const SearchRequest& request, EvaluationBudget& budget, SearchRes
 void along(const SearchRequest& request, EvaluationBudget& budget,
            SearchResult& found);  ///< exactly along a cushion that the ball touches
 void jaw_shots(const SearchRequest& request, EvaluationBudget& budget,
-               SearchResult& found);                                                       ///< by the jaws of a pocket
-void chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);  ///< sets object balls going
-/// The launches of each chain's last ball, by itself, that need no other search. `chains_again` runs for one arrival
-/// speed after the other, and skips these.
+               SearchResult& found);  ///< by the jaws of a pocket
+/// The launches of each chain's last ball, by itself, that need no other search.
 using KnownLegs = std::map<const Objects::Chain*, std::vector<Candidate>>;
-void chains_again(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, KnownLegs& known);
+/// Sets object balls going. It runs for one arrival speed after the other, and skips legs that are known.
+void chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, KnownLegs& known);
 void caroms(const SearchRequest& request, EvaluationBudget& budget,
             SearchResult& found);  ///< off one ball onto another, followed forwards
 

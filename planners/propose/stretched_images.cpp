@@ -12,10 +12,7 @@ namespace bankshot::planning::propose {
 
 void stretched_images(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   refine_images(request, budget, found, word::unfold,
-                [&](const Branch& aim, const Launch& seed) -> std::optional<Launch> {
-                  const auto root = newton(aim, budget, seed, settings::wide);
-                  return root ? std::optional(root.launch) : std::nullopt;
-                });
+                [&](const Branch& aim, const Launch& seed) { return newton(aim, budget, seed, settings::wide); });
 }
 
 }  // namespace bankshot::planning::propose

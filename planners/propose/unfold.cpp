@@ -37,12 +37,6 @@ double walls_apart(const Boundary& b, int i, int j) {
   return std::min({apart(p.from, r), apart(p.to, r), apart(r.from, p), apart(r.to, p)});
 }
 
-double distance_to(const Vec2d& a, const Vec2d& b) {
-  const Vec2d d = b - a;
-  const double length2 = dot(d, d);
-  return norm(a + d * (length2 > 0 ? std::clamp(-dot(a, d) / length2, 0.0, 1.0) : 0.0));
-}
-
 }  // namespace
 
 Unfolding::Unfolding(const SearchRequest& request, const Options& options)
@@ -205,13 +199,19 @@ double Unfolding::apart(int i, int j) {
 
 std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
   if (wall == node.last) return {};
-  const Wall& w = request_.problem->boundary.walls[static_cast<std::size_t>(wall)];
-  if (node.open && request_.problem->touches(w.contact))
-    return request_.problem->in_vertex() ? std::nullopt : at_start(node, wall);
+  const auto& walls = request_.problem->boundary.walls;
+  const Wall& w = walls[static_cast<std::size_t>(wall)];
+  if (node.open && request_.problem->touches(w.contact)) {
+    // The ball bounces before it moves, so all aims are left. Between two cushions it comes back to the first only if
+    // they meet in an acute angle.
+    if (request_.problem->in_vertex()) return {};
+    if (wall == node.before && dot(w.normal, walls[static_cast<std::size_t>(node.last)].normal) >= 0) return {};
+    return beyond(node, wall);
+  }
   if (dot(w.to - w.from, w.along) < 0) return {};  // the ball does not fit there
   if (node.last >= 0) {
     // There is no path beyond the line of the cushion just left.
-    const Wall& left = request_.problem->boundary.walls[static_cast<std::size_t>(node.last)];
+    const Wall& left = walls[static_cast<std::size_t>(node.last)];
     const double behind = request_.problem->boundary.touch;
     if (dot(left.normal, w.from) - left.offset < behind && dot(left.normal, w.to) - left.offset < behind) return {};
   }
@@ -225,32 +225,25 @@ std::optional<Unfolding::Node> Unfolding::child(const Node& node, int wall) {
     if (in_beam(a, b, node.to)) to = node.to;
     if (!in_beam(node.from, node.to, from) || !in_beam(node.from, node.to, to)) return {};
   }
-  Node next{through(node.image, wall), from, to};
+  Node next = beyond(node, wall);
+  next.from = from;
+  next.to = to;
   next.open = false;
-  next.distance = std::max(node.distance, distance_to(a, b));
+  next.distance = std::max(node.distance, std::sqrt(square_to_segment({}, a, b)));
   // Neighbouring cushions meet in a corner, so the cushion two back counts as well.
-  next.before = node.last;
   next.length_before = node.length;
   next.length = std::max(node.length + apart(node.last, wall), node.length_before + apart(node.before, wall));
   if (mirrors_) next.length = std::max(next.length, next.distance);
-  next.bounces = node.bounces + 1;
-  next.parent = node.self;
-  next.last = wall;
-  next.flipped = !node.flipped;
   return next;
 }
 
-/// Returns the node after a cushion that the ball touches at the start. It bounces before it moves, so all aims are
-/// left. Between two cushions the ball comes back to the first only if they meet in an acute angle.
-std::optional<Unfolding::Node> Unfolding::at_start(const Node& node, int wall) const {
-  const auto normal = [&](int i) { return request_.problem->boundary.walls[static_cast<std::size_t>(i)].normal; };
-  if (wall == node.before && dot(normal(wall), normal(node.last)) >= 0) return {};
+Unfolding::Node Unfolding::beyond(const Node& node, int wall) const {
   Node next = node;
   next.image = through(node.image, wall);
-  next.before = node.last;
   next.bounces = node.bounces + 1;
-  next.parent = node.self;
+  next.before = node.last;
   next.last = wall;
+  next.parent = node.self;
   next.flipped = !node.flipped;
   return next;
 }
@@ -265,12 +258,8 @@ void Unfolding::follow_route() {
     std::optional<Node> next;
     if (!node.closed) next = child(node, wall);
     if (!next) {
-      next = node;
-      next->image = through(node.image, wall);
-      next->flipped = !node.flipped;
+      next = beyond(node, wall);
       next->closed = true;
-      next->last = wall;
-      ++next->bounces;
     }
     node = *next;
   }

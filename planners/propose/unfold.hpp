@@ -102,7 +102,8 @@ class Unfolding {
   bool leads_over_table(const Vec2d& from, const Vec2d& way) const;
   void find_window(const Node& node, const AimPoint& aim_point, Image& c) const;
   std::optional<Node> child(const Node& node, int wall);
-  std::optional<Node> at_start(const Node& node, int wall) const;
+  /// Returns the node after one more cushion, with its beam and lengths still those of `node`.
+  Node beyond(const Node& node, int wall) const;
   /// Returns the least distance between centres that touch two cushions; 0 for neighbours and for none (-1).
   double apart(int i, int j);
   void follow_route();

@@ -39,7 +39,7 @@ class Windows {
     double aim;
     Replay replay;
     bool like(const Tried& o) const {
-      return replay.failure.like(o.replay.failure) && replay.bounces == o.replay.bounces;
+      return replay.failure.like(o.replay.failure) && replay.bounces() == o.replay.bounces();
     }
   };
 
@@ -66,7 +66,7 @@ class Windows {
   }
 
   bool certify_window(const Tried& made) {
-    const int bounces = made.replay.bounces;
+    const int bounces = made.replay.bounces();
     const double middle = (edge(made.aim, aims_.low) + edge(made.aim, aims_.high)) / 2;
     return how_.certify(middle, bounces) || how_.certify(made.aim, bounces);
   }

@@ -94,10 +94,7 @@ void BranchSearch::look_for_jaw_shots(const Curve& curve) {
   for (auto& [by, strips] : ways) {
     Route whole(aim_.route.begin(), aim_.route.end());
     for (const Contact c : by) whole.push_back({start_.aim_point.ball, c});
-    const auto known = [&](const Shot& s) {
-      return request_.problem->aim_point_of(s) == start_.aim_point && route_of(s) == whole;
-    };
-    if (std::ranges::any_of(found_.shots, known)) continue;
+    if (is_listed(start_.aim_point, whole, found_.shots)) continue;
     std::ranges::stable_sort(strips, std::ranges::greater{}, [](const Strip& b) { return b.last - b.first; });
     for (const Strip& b : strips) {
       request_.spin = b.spin;
@@ -111,19 +108,16 @@ void BranchSearch::look_for_jaw_shots(const Curve& curve) {
 /// Adds the windows of aims beside one point of the curve, by the cushions through which the ball falls.
 void BranchSearch::add_strips(const Point& p, std::map<std::vector<Contact>, std::vector<Strip>>& ways) {
   request_.spin = spin_of(p.x);
-  Strip band{launch_of(p.x), request_.spin, apart_jaw_shots * across(aim_, p)};
+  const Launch line = launch_of(p.x);
+  const double step = apart_jaw_shots * across(aim_, p);
   std::optional<std::vector<Contact>> before;
   constexpr int most = static_cast<int>(1 / apart_jaw_shots);
   for (int i = -most; i <= most; ++i) {
-    auto by = falls_by(aim_, budget_, beside(band.line, i * band.step));
+    auto by = falls_by(aim_, budget_, beside(line, i * step));
     if (by) {
-      band.last = i;
-      if (by != before) band.first = i;
       std::vector<Strip>& known = ways[*by];
-      if (by == before)
-        known.back() = band;
-      else
-        known.push_back(band);
+      if (by != before) known.push_back({line, request_.spin, step, i, i});
+      known.back().last = i;
     }
     before = std::move(by);
   }

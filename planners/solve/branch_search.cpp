@@ -22,13 +22,6 @@ using namespace settings::branch;
 
 namespace {
 
-/// Returns the aim, turned by whole turns to where it is nearest to the middle of its bounds.
-double near_window(double angle, const std::optional<Range>& window) {
-  if (!window) return angle;
-  const double middle = (window->low + window->high) / 2;
-  return middle + angle_difference(wrap_angle(middle), angle);
-}
-
 /// Turn of the compass after each round [rad]. Its multiples never repeat.
 constexpr double golden_turn = std::numbers::pi * (3 - 2.23606797749979);
 
@@ -41,9 +34,7 @@ double likely_value(const Shot& shot) {
 }  // namespace
 
 int BranchSearch::freedom(const SearchRequest& request) {
-  const Box box = box_of(request);
-  int free = 0;
-  for (int i = 0; i < coordinates; ++i) free += box.free(i);
+  const auto free = static_cast<int>(free_of(box_of(request)).size());
   const bool speed_asked = request.arrival && !request.pinned && (request.stop || request.arrival->fixed());
   return free - 1 - (speed_asked ? 1 : 0);
 }
@@ -91,16 +82,11 @@ Eigen::MatrixXd BranchSearch::tangents(const Point& p) const {
   const bool any_speed = request_.arrival && !request_.arrival->fixed();
   const std::span<const Value> rows =
       any_speed ? found.all().first(static_cast<std::size_t>(p.equations)) : found.all();
-  std::vector<int> free;
-  for (int i = 0; i < coordinates; ++i)
-    if (wide_.free(i)) free.push_back(i);
+  const std::vector<int> free = free_of(wide_);
   const auto n = static_cast<Eigen::Index>(free.size()), m = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd a(n, m);
   for (Eigen::Index k = 0; k < m; ++k)
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const int c = free[static_cast<std::size_t>(i)];
-      a(i, k) = rows[static_cast<std::size_t>(k)].by[c] * scales()[c];
-    }
+    a.col(k) = rows[static_cast<std::size_t>(k)].by.cwiseProduct(scales())(std::span(free));
   if (n <= m) return Eigen::MatrixXd(coordinates, 0);
   const Eigen::MatrixXd all = Eigen::HouseholderQR<Eigen::MatrixXd>(a).householderQ();
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(coordinates, n - m);
@@ -249,8 +235,7 @@ Shot BranchSearch::tuned(const Shot& shot) {
     }
     if (better) {
       at = there;
-      better->provenance.planner = best.provenance.planner;
-      better->provenance.simulations = best.provenance.simulations;
+      better->provenance = best.provenance;
       best = std::move(*better);
       add_aftermath(request_, budget_, best);
     } else {

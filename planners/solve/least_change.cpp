@@ -34,10 +34,7 @@ System system_of(std::span<const Value> equations, std::span<const int> free, co
   for (Eigen::Index k = 0; k < rows; ++k) {
     const Value& e = equations[static_cast<std::size_t>(k)];
     out.r[k] = -e.a - e.by.dot(done);
-    for (Eigen::Index i = 0; i < columns; ++i) {
-      const int c = free[static_cast<std::size_t>(i)];
-      out.a(k, i) = e.by[c] * scales()[c];
-    }
+    out.a.row(k) = e.by.cwiseProduct(scales())(free);
   }
   return out;
 }
@@ -72,6 +69,19 @@ Box box_of(const SearchRequest& request) {
   return box;
 }
 
+double near_window(double angle, const std::optional<Range>& window) {
+  if (!window) return angle;
+  const double middle = (window->low + window->high) / 2;
+  return middle + angle_difference(wrap_angle(middle), angle);
+}
+
+std::vector<int> free_of(const Box& box) {
+  std::vector<int> out;
+  for (int i = 0; i < coordinates; ++i)
+    if (box.free(i)) out.push_back(i);
+  return out;
+}
+
 Equations passes(const Point& p) {
   Equations out;
   for (int i = 0; i < p.equations; ++i) out.add(p.off[static_cast<std::size_t>(i)]);
@@ -96,9 +106,7 @@ Vector cut(const Vector& step) {
 }
 
 Vector least_step(std::span<const Value> kept, std::span<const Value> wanted, const Box& box, const Vector& x) {
-  std::vector<int> free;
-  for (int i = 0; i < coordinates; ++i)
-    if (box.free(i)) free.push_back(i);
+  std::vector<int> free = free_of(box);
   Vector step = Vector::Zero();
   while (!free.empty()) {
     Vector fixed = step;

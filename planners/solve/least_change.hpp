@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "planners/search_request.hpp"
 #include "planners/solve/point.hpp"
@@ -24,6 +25,10 @@ struct Box {
 
 /// Returns the request's bounds; a fixed spin has equal ends.
 Box box_of(const SearchRequest& request);
+/// Returns the coordinates that are free, in order.
+std::vector<int> free_of(const Box& box);
+/// Returns the aim, turned by whole turns to where it is nearest to the middle of its bounds [rad].
+double near_window(double angle, const std::optional<Range>& window);
 
 /// Numbers that must be 0 at a launch: at most two for where it passes, and one for its speed.
 struct Equations {

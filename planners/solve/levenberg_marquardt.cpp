@@ -10,17 +10,16 @@
 #endif
 #include <ceres/tiny_solver.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "bankshot/geometry/aim_point.hpp"
-#include "bankshot/numbers/dual.hpp"
 #include "planners/settings.hpp"
-#include "planners/trace/arrival.hpp"
 
 namespace bankshot::planning {
 namespace {
+
+using namespace settings::levenberg_marquardt;
 
 /// The residual as TinySolver asks for it: r and, where it is given, the Jacobian, column by column.
 template <int N>
@@ -28,42 +27,27 @@ struct Residual {
   using Scalar = double;
   enum { NUM_RESIDUALS = N, NUM_PARAMETERS = N };
   const Branch& aim;
+  EvaluationBudget& budget;
   double fixed_speed;
-  Work& work;
+
+  Launch launch(const double* x) const { return {N == 2 ? std::exp(x[N - 1]) : fixed_speed, x[0]}; }
 
   bool operator()(const double* x, double* r, double* jacobian) const {
-    if (!jacobian) return evaluate(x, r);
-    Dual<N> at[N], dual[N];
-    for (int i = 0; i < N; ++i) at[i] = Dual<N>(x[i], i);
-    evaluate(at, dual);
-    for (int k = 0; k < N; ++k) {
-      r[k] = dual[k].a;
-      for (int i = 0; i < N; ++i) jacobian[i * N + k] = dual[k].v[static_cast<std::size_t>(i)];
+    // A path that does not arrive has a flat and high residual, so that the solver turns back or ends.
+    const Linear l = linearise(aim, budget, launch(x)).value_or(Linear{.r = {nowhere, nowhere}});
+    for (std::size_t k = 0; k < N; ++k) {
+      r[k] = l.r[k];
+      for (std::size_t i = 0; jacobian && i < N; ++i) jacobian[i * N + k] = l.by[k][i];
     }
-    return true;
-  }
-
- private:
-  template <class T>
-  bool evaluate(const T* x, T* r) const {
-    using std::exp;
-    const T speed = N == 2 ? T(exp(x[N - 1])) : T(fixed_speed);
-    const auto arrival = arrival_of(aim, start_of(aim.request, x[0], speed), aim.request.puzzle().physics, work);
-    if (!arrival || !residuals_of<N>(aim, *arrival, r))
-      std::fill(r, r + N, T(settings::levenberg_marquardt::nowhere));  // flat and high: it turns back or gives up
     return true;
   }
 };
 
 template <int N>
 std::optional<Launch> minimise(const Branch& aim, EvaluationBudget& budget, const Launch& seed) {
-  using namespace settings::levenberg_marquardt;
-  const Residual<N> residual{aim, seed.speed, budget.work()};
+  const Residual<N> residual{aim, budget, seed.speed};
   ::ceres::TinySolver<Residual<N>> solver;
-  if (budget.spent()) return {};
-  // The solver costs one simulation, and two for each iteration.
-  const auto affordable = (budget.left() - 1) / 2 / (1 + static_cast<long>(aim.route.size() / bounces_a_simulation));
-  solver.options.max_num_iterations = static_cast<int>(std::min<long>(settings::most_steps, affordable));
+  solver.options.max_num_iterations = settings::most_steps;
   solver.options.function_tolerance = 0;
   solver.options.gradient_tolerance = 0;
   solver.options.parameter_tolerance = settings::rounding;
@@ -72,11 +56,9 @@ std::optional<Launch> minimise(const Branch& aim, EvaluationBudget& budget, cons
   x(0) = seed.angle;
   if constexpr (N == 2) x(1) = std::log(seed.speed);
   solver.Solve(residual, &x);
-  budget.charge(aim.route.size(), 1 + 2 * solver.summary.iterations);
   if (!x.allFinite() || !(solver.summary.final_cost < converged_cost)) return {};
-  double speed = seed.speed;
-  if constexpr (N == 2) speed = std::exp(x(1));
-  return Launch{speed, wrap_angle(x(0))};
+  const Launch root = residual.launch(x.data());
+  return Launch{root.speed, wrap_angle(root.angle)};
 }
 
 }  // namespace

@@ -30,19 +30,19 @@ std::optional<AsAsked> made_as_asked(const SearchRequest& request, EvaluationBud
   const Goal goal = Goal::of(request, Demand::made);
   const auto follow = [&] { return replay(request, budget, {at.speed, wrap_angle(at.angle)}, goal); };
   Replay r = follow();
-  double slope = square(r.arrival.speed / at.speed);
-  for (int n = 0; n < settings::most_steps && r.made && !as_fast(request, r.arrival.speed) && slope > 0; ++n) {
+  double slope = square(r.path.arrival.speed / at.speed);
+  for (int n = 0; n < settings::most_steps && r.made && !as_fast(request, r.path.arrival.speed) && slope > 0; ++n) {
     if (budget.spent()) return {};
-    const double before = square(at.speed), arrived = square(r.arrival.speed);
-    const double off = square(wanted(request, r.arrival.speed)) - arrived;
+    const double before = square(at.speed), arrived = square(r.path.arrival.speed);
+    const double off = square(wanted(request, r.path.arrival.speed)) - arrived;
     const double faster = std::sqrt(1 + std::clamp(off / (slope * before), -0.5, 1.0));
     at.speed *= faster;
     at.angle += turn * std::log(faster);
     r = follow();
-    const double grown = (square(r.arrival.speed) - arrived) / (square(at.speed) - before);
+    const double grown = (square(r.path.arrival.speed) - arrived) / (square(at.speed) - before);
     if (grown > 0) slope = grown;
   }
-  if (!r.made || !as_fast(request, r.arrival.speed) || budget.spent()) return {};
+  if (!r.made || !as_fast(request, r.path.arrival.speed) || budget.spent()) return {};
   return AsAsked{{at.speed, wrap_angle(at.angle)}, r};
 }
 

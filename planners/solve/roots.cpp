@@ -20,7 +20,7 @@ void Roots::visit(const Branch& aim, const Launch& node, const Linear& linear) {
   if (!step ||
       !(std::abs((*step)[0]) < seed_reach * cell_.step_aim && std::abs((*step)[1]) < seed_reach * cell_.step_speed))
     return;
-  const double cells = std::max(std::abs((*step)[0]) / cell_.step_aim, std::abs((*step)[1]) / cell_.step_speed);
+  const double cells = size_of(*step, cell_);
   if (!every_root_ && (hopeless(aim, node, cells, linear) || on_side_of_known(aim, linear))) return;
   const Launch predicted{node.speed * std::exp((*step)[1]), node.angle + (*step)[0]};
   const auto give_up = [&](const Launch& at, double size, const Linear& there) {
@@ -30,7 +30,7 @@ void Roots::visit(const Branch& aim, const Launch& node, const Linear& linear) {
     if (size < near) remember(aim, at, there.determinant(request_.one_unknown()));
     return true;
   };
-  if (const auto root = newton(aim, budget_, predicted, cell_, give_up)) add(aim, root.launch);
+  if (const auto root = newton(aim, budget_, predicted, cell_, give_up)) add(aim, *root);
 }
 
 /// Returns whether a known root lies on this node's side of a fold. Two roots of a route nearly always lie on the two
@@ -72,7 +72,7 @@ void Roots::seek_rest() {
   for (const Seen& seen : seen_) {
     const Branch aim{request_, seen.route, seen.aim_point};
     if (done() || std::ranges::any_of(roots_, [&](const Root& r) { return belongs(r, aim); })) continue;
-    if (const auto root = newton(aim, budget_, seen.nearest, settings::wide)) add(aim, root.launch);
+    if (const auto root = newton(aim, budget_, seen.nearest, settings::wide)) add(aim, *root);
   }
 }
 

@@ -111,7 +111,7 @@ void follow(const SearchRequest& request, EvaluationBudget& budget, const Launch
   if (budget.spent()) return;
   with_physics(request.problem->rough, [&](const auto& motion, const auto& cushion) {
     Follower follower(request, aim_points, near, budget.work(), out);
-    const auto start = dual_start<Dual2, 2>(request, launch);
+    const auto start = dual_start<Dual2, 2>(request, launch, request.spin);
     locked ? follower.along_route(motion, cushion, start) : follower.freely(motion, cushion, start);
   });
   budget.charge(out.route.size());

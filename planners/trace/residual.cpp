@@ -12,7 +12,7 @@ namespace {
 template <int N>
 std::optional<Linear> linearise(const Branch& aim, const Launch& launch, const Physics& physics, Work& work) {
   using DualN = Dual<N>;
-  const auto arrival = arrival_of(aim, dual_start<DualN, N>(aim.request, launch), physics, work);
+  const auto arrival = arrival_of(aim, dual_start<DualN, N>(aim.request, launch, aim.request.spin), physics, work);
   DualN r[N];
   if (!arrival || !residuals_of<N>(aim, *arrival, r)) return {};
   return linear<N>(r, arrival->time.a);

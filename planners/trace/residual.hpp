@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // An aim point seen along a route: the smooth system whose roots are shots.
-// Unknowns: aim [rad] and ln speed, or the aim alone where the launch speed is fixed (unknown.hpp).
+// Unknowns: aim [rad] and ln speed, or the aim alone where the launch speed is fixed.
 // Residuals, as many:
 //   to stop at a point   the aim point, less where the ball rests, over the diagonal
 //   else                 [0] the signed lateral miss at the closest approach over the diagonal (of a pocket, of its
@@ -18,15 +18,19 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <span>
 
 #include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/simulate/locked.hpp"
 #include "planners/evaluation_budget.hpp"
-#include "planners/trace/unknown.hpp"
+#include "planners/search_request.hpp"
+#include "planners/settings.hpp"
 
 namespace bankshot::planning {
+
+inline constexpr std::size_t most_unknowns = 2;  ///< the aim, and ln speed
 
 /// The causal ancestry of an arrival at an aim point: the ordered meetings that lead to it. What other balls do is
 /// context. Legs are counted from 0; each ends at its meeting, the last one at the aim point.

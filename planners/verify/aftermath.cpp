@@ -14,7 +14,7 @@ namespace {
 
 using Balls = std::vector<BallStart<double>>;
 
-/// Returns all balls, the cue ball in this state.
+/// Returns all balls with their numbers, the cue ball in this state.
 Balls balls_of(const SearchRequest& request, const State<double>& cue) {
   Balls balls(request.problem->whole->balls().begin(), request.problem->whole->balls().end());
   balls.front().state = cue;
@@ -33,30 +33,25 @@ void follow_all(const SearchRequest& request, EvaluationBudget& budget, const Ba
   });
 }
 
-/// Balls that are left on the table, the cue ball first.
-struct Left {
-  Balls balls{};
-  std::vector<std::size_t> numbers{};
-
-  void add(std::size_t number, const BallStart<double>& ball) {
-    numbers.push_back(number);
-    balls.push_back(ball);
-  }
-};
-
-/// Returns the places of all balls when those that are left rest, or the cue ball falls.
+/// Returns the places of all balls when those that are left rest, or the cue ball, their first, falls. `see(event)`
+/// sees each event.
+template <class See>
 std::vector<std::optional<Vec2d>> places_after(const SearchRequest& request, EvaluationBudget& budget,
-                                               const Left& left) {
-  std::vector<std::optional<Vec2d>> places(request.puzzle().others.size() + 1);
-  follow_all(request, budget, left.balls, max_events, [&](const BallEvent& e, const auto& sim) {
+                                               const Balls& left, See&& see) {
+  std::vector<std::optional<Vec2d>> places(request.problem->whole->balls().size());
+  follow_all(request, budget, left, max_events, [&](const BallEvent& e, const auto& sim) {
+    see(e);
     if (e.event.kind == EventKind::pocket && e.ball == 0) return true;
     if (e.event.kind != EventKind::horizon) return false;
-    for (std::size_t i = 0; i < left.numbers.size(); ++i)
-      if (const int ball = static_cast<int>(i); sim.in_play(ball)) places[left.numbers[i]] = sim.state(ball).at;
+    for (std::size_t i = 0; i < left.size(); ++i)
+      if (const int ball = static_cast<int>(i); sim.in_play(ball))
+        places[static_cast<std::size_t>(left[i].number)] = sim.state(ball).at;
     return true;
   });
   return places;
 }
+
+constexpr auto unwatched = [](const BallEvent&) {};
 
 /// Notes what the cue ball meets in an event.
 void note(const BallEvent& e, std::vector<bool>& moved, Ending& out) {
@@ -80,9 +75,6 @@ void note(const BallEvent& e, std::vector<bool>& moved, Ending& out) {
     case EventKind::jaw:
       if (e.ball == 0) out.traceable = false;
       break;
-    case EventKind::pocket:
-      out.places[static_cast<std::size_t>(e.ball)].reset();
-      break;
     default:
       break;
   }
@@ -90,72 +82,43 @@ void note(const BallEvent& e, std::vector<bool>& moved, Ending& out) {
 
 }  // namespace
 
-Aftermath aftermath(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch) {
-  const bool rests = !is_ideal(request.puzzle().physics);
-  if (!request.problem->whole || (request.puzzle().table.pockets.empty() && !rests)) return {};
-  Aftermath out;
-  const Balls balls = balls_of(request, start_of(request, launch));
-  follow_all(request, budget, balls, rests ? max_events : ideal_cushions, [&](const BallEvent& e, const auto& sim) {
-    const bool scratch = e.event.kind == EventKind::pocket && e.ball == 0;
-    const bool over = scratch || e.event.kind == EventKind::horizon;
-    if (scratch) out.scratch_pocket = e.event.contact.index;
-    if (over && !scratch && rests) out.cue_rests = sim.state(0).at;
-    return over;
-  });
-  return out;
-}
-
 void add_aftermath(const SearchRequest& request, EvaluationBudget& budget, Shot& shot) {
-  if (shot.path.hits.empty()) return;
-  const Aftermath after = aftermath(request, budget, shot.launch);
-  shot.path.scratch_pocket = after.scratch_pocket;
-  shot.path.scratch = after.scratch_pocket.has_value();
-  shot.path.cue_rests = after.cue_rests;
+  const bool rests = !is_ideal(request.puzzle().physics);
+  const bool ends = rests || !request.puzzle().table.pockets.empty();
+  if (shot.path.hits.empty() || !request.problem->whole || !ends) return;
+  const Balls balls = balls_of(request, start_of(request, shot.launch));
+  follow_all(request, budget, balls, rests ? max_events : ideal_cushions, [&](const BallEvent& e, const auto& sim) {
+    shot.path.scratch = e.event.kind == EventKind::pocket && e.ball == 0;
+    if (shot.path.scratch) shot.path.scratch_pocket = e.event.contact.index;
+    const bool at_rest = e.event.kind == EventKind::horizon;
+    if (at_rest && rests) shot.path.cue_rests = sim.state(0).at;
+    return shot.path.scratch || at_rest;
+  });
 }
 
 Ending play_out(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch) {
   Ending out;
-  const std::size_t count = request.puzzle().others.size() + 1;
-  std::vector<bool> moved(count, false);
-  out.places.assign(count, Vec2d{});
   const Balls balls = balls_of(request, start_of(request, launch));
-  follow_all(request, budget, balls, max_events, [&](const BallEvent& e, const auto& sim) {
-    note(e, moved, out);
-    const bool scratch = !out.places.front();
-    if (scratch) return true;
-    if (e.event.kind != EventKind::horizon) return false;
-    for (std::size_t k = 0; k < count; ++k)
-      if (out.places[k]) out.places[k] = sim.state(static_cast<int>(k)).at;
-    return true;
-  });
+  std::vector<bool> moved(balls.size(), false);
+  out.places = places_after(request, budget, balls, [&](const BallEvent& e) { note(e, moved, out); });
   return out;
 }
 
 Ending ending_of(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Replay& made) {
   if (!made.cue) return play_out(request, budget, launch);
-  Left left;
-  const auto balls = request.problem->whole->balls();
-  for (std::size_t k = 0; k < balls.size(); ++k) {
-    const auto fell = [&](const ObjectBallPath& sent) { return static_cast<std::size_t>(sent.ball) == k; };
-    if (std::ranges::none_of(made.then, fell)) left.add(k, balls[k]);
-  }
-  left.balls.front().state = *made.cue;
-  return {.places = places_after(request, budget, left), .rail_after_contact = true};
+  Balls left = balls_of(request, *made.cue);
+  std::erase_if(left, [&](const auto& ball) { return ball.number == made.path.then.front().ball; });
+  return {.places = places_after(request, budget, left, unwatched), .rail_after_contact = true};
 }
 
 std::vector<std::optional<Vec2d>> play_on(const SearchRequest& request, EvaluationBudget& budget,
                                           std::span<const std::optional<Vec2d>> places, const Launch& launch,
                                           const LaunchSpin& spin) {
-  Left left;
-  const auto balls = request.problem->whole->balls();
-  for (std::size_t k = 0; k < balls.size(); ++k) {
-    if (!places[k]) continue;
-    left.add(k, balls[k]);
-    left.balls.back().state = {.at = *places[k]};
-  }
-  left.balls.front().state =
-      launched(*places.front(), request.puzzle().ball.body.radius, direction(launch.angle) * launch.speed, spin);
-  return places_after(request, budget, left);
+  Balls left = balls_of(request, launched(*places.front(), request.puzzle().ball.body.radius,
+                                          direction(launch.angle) * launch.speed, spin));
+  std::erase_if(left, [&](const auto& ball) { return !places[static_cast<std::size_t>(ball.number)]; });
+  for (auto& ball : std::span(left).subspan(1)) ball.state = {.at = *places[static_cast<std::size_t>(ball.number)]};
+  return places_after(request, budget, left, unwatched);
 }
 
 }  // namespace bankshot::planning

@@ -14,25 +14,19 @@
 
 namespace bankshot::planning {
 
-struct Aftermath {
-  std::optional<int> scratch_pocket{};  ///< the pocket that the cue ball falls into
-  std::optional<Vec2d> cue_rests{};     ///< m, where it comes to rest
-};
-
-/// Returns nothing for a shot whose target is no ball. In `ideal`, where no ball rests, it tells only whether the cue
-/// ball falls within `ideal_cushions` events. Cost: one simulation of all balls.
-Aftermath aftermath(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch);
-
-/// Stores the aftermath in a shot.
+/// Adds to a new shot whether the cue ball falls, and where it comes to rest. Does nothing for a shot that hits no
+/// ball, or whose target is none. In `ideal`, where no ball rests, it tells only whether the cue ball falls within
+/// `ideal_cushions` events. Cost: one simulation of all balls.
 void add_aftermath(const SearchRequest& request, EvaluationBudget& budget, Shot& shot);
 
 /// The places in which a shot leaves the balls, and the cue ball's route to its own.
 struct Ending {
-  std::vector<std::optional<Vec2d>> places{};  ///< m; of each ball, the cue ball first; none: it fell
-  Route cue{};                                 ///< contacts of the cue ball, in order
-  bool traceable = true;                       ///< it met neither jaws nor a ball that had moved
-  bool rail_after_contact = false;             ///< after the first contact a ball met a cushion, or fell
-  std::size_t after_balls = 0;                 ///< number of its meetings up to its last contact with a ball
+  /// m; of each ball, the cue ball first; none: it fell. Where the cue ball falls no place is known.
+  std::vector<std::optional<Vec2d>> places{};
+  Route cue{};                      ///< contacts of the cue ball, in order
+  bool traceable = true;            ///< it met neither jaws nor a ball that had moved
+  bool rail_after_contact = false;  ///< after the first contact a ball met a cushion, or fell
+  std::size_t after_balls = 0;      ///< number of its meetings up to its last contact with a ball
 
   const std::optional<Vec2d>& cue_rests() const { return places.front(); }
 };

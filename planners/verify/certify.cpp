@@ -24,13 +24,12 @@ bool same_launch(const Launch& a, const Launch& b) {
          std::abs(a.speed - b.speed) <= tolerance::exact_speed * std::max(1.0, b.speed);
 }
 
-void count_failure(SearchResult& found, const Proof& proof, int bounces) {
+void count_failure(SearchResult& found, const Proof& proof) {
   const FailureReason reason = proof.failure.reason;
   // An aim outside its bounds is no near miss, but better than none.
   const double miss =
       reason == FailureReason::outside_aim ? std::numeric_limits<double>::max() : proof.shot.verification.miss;
-  if (proof.replayed || reason == FailureReason::outside_aim)
-    found.remember({proof.shot.launch, bounces, miss, proof.failure});
+  if (proof.replayed || reason == FailureReason::outside_aim) found.remember({proof.shot.launch, miss, proof.failure});
 }
 
 /// Returns true unless the shot is known already with no more bounces; removes a known one that has more.
@@ -136,7 +135,7 @@ bool certify(const SearchRequest& request, EvaluationBudget& budget, SearchResul
   const Goal goal = Goal::exactly(request, bounces, demand);
   Proof proof = prove(request, budget, launch, goal);
   if (!proof.holds()) proof = without_last_bounce(request, budget, goal, std::move(proof));
-  if (!proof.holds()) return count_failure(found, proof, bounces), false;
+  if (!proof.holds()) return count_failure(found, proof), false;
   if (request.problem->objects && proof.shot.verification.off_centre) {
     // A launch that is made only by rounding is no shot. Examples are a cushion that ends at a pocket's circle, and a
     // contact that would leave the cue ball standing. A ball that rolls along a rail arrives alike, but may bounce

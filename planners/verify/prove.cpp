@@ -18,11 +18,13 @@ bool fast_as_asked(const SearchRequest& request, double arrival_speed) {
 }
 
 /// Returns whether the shot counts on the jaws of its pocket.
-bool falls_by_jaws(const SearchRequest& request, const Replay& r) { return r.touches_jaws && request.problem->drops(); }
+bool falls_by_jaws(const SearchRequest& request, const Replay& r) {
+  return r.path.touches_jaws && request.problem->drops();
+}
 
 bool good_enough(const SearchRequest& request, const Replay& r, Demand demand) {
   return demand == Demand::made ||
-         (fast_as_asked(request, r.arrival.speed) &&
+         (fast_as_asked(request, r.path.arrival.speed) &&
           (demand == Demand::off_centre || (request.problem->centred(r.miss) && !falls_by_jaws(request, r))));
 }
 
@@ -39,20 +41,14 @@ Proof proved(const SearchRequest& request, EvaluationBudget& budget, const Launc
     return refused(
         {launch.speed > request.speed.high ? FailureReason::too_fast : FailureReason::too_slow, {}, launch.speed});
   if (budget.spent()) return refused({FailureReason::no_budget});
-  const Replay r = replay(request, budget, launch, goal, &proof.shot.path.cushions);
+  Replay r = replay(request, budget, launch, goal);
   proof.replayed = true;
-  proof.shot.path.cushion_stick = r.cushion_stick;
-  proof.shot.path.arrival = r.arrival;
   proof.shot.verification.miss = r.miss;
   proof.shot.verification.offset = r.offset;
-  proof.shot.path.touches_jaws = r.touches_jaws;
-  proof.shot.path.jaws = r.jaws;
-  proof.shot.path.hits = r.hits;
-  proof.shot.path.then = r.then;
-  if (r.touches_jaws) proof.shot.path.met = r.met;
   proof.shot.verification.off_centre = !request.problem->centred(r.miss) || falls_by_jaws(request, r);
   proof.failure = r.failure;
   if (r.made && !good_enough(request, r, goal.demand)) proof.failure = {FailureReason::inexact};
+  proof.shot.path = std::move(r.path);
   return proof;
 }
 

@@ -18,27 +18,20 @@ struct Replay {
   bool made = false;  ///< in the contract's sense: within reach, after the bounces asked
   double miss = std::numeric_limits<double>::infinity();  ///< m, see Verification::miss
   double offset = 0;                                      ///< m, see Verification::offset
-  Arrival arrival;
-  Failure failure;                     ///< if it is not made
-  std::vector<Hit> hits{};             ///< contacts with balls, in order, up to the target
-  std::vector<ObjectBallPath> then{};  ///< object balls and their cushions
-  bool touches_jaws = false;           ///< it touched the jaws of a pocket
-  std::vector<Contact> met{};          ///< after a jaw contact, if `contacts` is given: all that it bounced off
-  int bounces = 0;                     ///< at arrival, or at the failure
-  bool cushion_stick = false;          ///< see ShotPath::cushion_stick
-  int jaws = 0;                        ///< see ShotPath::jaws
+  ShotPath path{};                                        ///< up to the target, or to the failure
+  Failure failure;                                        ///< if it is not made
   /// The cue ball when the target is made, if the only ball that it set going has fallen then.
   std::optional<State<double>> cue{};
   Work work{};
+
+  int bounces() const { return static_cast<int>(path.cushions.size()); }
 };
 
-/// Replays a launch up to its target. `contacts` receives the bounces, if it is not null.
-Replay replay_to_target(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
-                        std::vector<Contact>* contacts = nullptr);
+/// Replays a launch up to its target.
+Replay replay_to_target(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Goal& goal);
 
 /// Replays a launch. If the goal counts as `success` does, the cue ball is followed to the end, and may not fall.
-Replay replay(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Goal& goal,
-              std::vector<Contact>* contacts = nullptr);
+Replay replay(const SearchRequest& request, EvaluationBudget& budget, const Launch& launch, const Goal& goal);
 
 /// The speed that a path costs, if its shape does not depend on the speed: after the arcs added so far, v² = gain·v0² −
 /// loss. The arcs are those of a launch at unit speed without friction.
@@ -60,7 +53,6 @@ struct Trace {
   Replay replay;
   SpeedAccount account;
 };
-Trace trace(const SearchRequest& request, EvaluationBudget& budget, double angle, const Goal& goal,
-            std::vector<Contact>* contacts = nullptr);
+Trace trace(const SearchRequest& request, EvaluationBudget& budget, double angle, const Goal& goal);
 
 }  // namespace bankshot::planning

@@ -17,18 +17,12 @@
 
 namespace bankshot::planning {
 
-/// The cue ball's bounces before the contact, and their check.
-struct Counted {
-  int bounces;
-  SequenceCheck check;
-};
-
 template <class Motion, class Cushion>
 class SetGoing {
  public:
-  /// `out` gets the result, and `contacts`, if it is not null, the further cushions of the cue ball.
+  /// `before` has checked the cue ball's bounces before the contact. `out` has its path up to there, and gets the rest.
   SetGoing(const SearchRequest& request, const Motion& motion, const Cushion& cushion, const Objects::Chain& chain,
-           const Goal& goal, const Counted& before, std::vector<Contact>* contacts, Replay& out)
+           const Goal& goal, const SequenceCheck& before, Replay& out)
       : request_(request),
         motion_(motion),
         cushion_(cushion),
@@ -36,9 +30,8 @@ class SetGoing {
         goal_(goal),
         carom_(request.problem->carom()),
         asked_{goal.min, goal.max, goal.sequence},
-        bounces_(before.bounces),
-        check_(before.check),
-        contacts_(contacts),
+        bounces_(out.bounces()),
+        check_(before),
         out_(out),
         last_(chain.balls.front()->at_rest.at) {}
 
@@ -84,7 +77,7 @@ class SetGoing {
       case EventKind::cushion:
         return its && bounces(e.event, sim);
       case EventKind::jaw:
-        if (its) touch_jaw(e.event.contact, sim);
+        if (its) touch_jaw(request_, e.event.contact, {sim.state(e.ball).at, incoming_.heading}, jaw_, out_.path);
         return false;
       case EventKind::pocket:
         return its && falls(e.event.contact, sim);
@@ -107,7 +100,7 @@ class SetGoing {
     const AimPoint* const aim_point =
         carom_ && e.ball == 0 && counts() ? request_.problem->aim_point_taken_by(e.event.contact, now.at) : nullptr;
     if (!aim_point || !goal_.allows(request_, *aim_point)) return fail(FailureReason::hit_ball, e.event.contact);
-    out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
+    out_.path.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
     note_hit(e.event.contact.index, aim_point->at);
     touched(*aim_point, incoming_, out_);
     return true;
@@ -123,7 +116,7 @@ class SetGoing {
     const State<double>& now = sim.state(on_its_way());
     incoming_ = {now.at, now.velocity};
     if (carom_) return false;
-    out_.then.push_back({next.ball, {}});
+    out_.path.then.push_back({next.ball, {}});
     asked_ = goal_.of_sent(request_, set_ - 1);
     check_ = SequenceCheck(asked_.sequence);
     bounces_ = 0;
@@ -135,7 +128,7 @@ class SetGoing {
 
   void note_hit(int ball, const Vec2d& at) {
     const double reach = request_.problem->boundary_of(number()).rim(Contact::ball(ball))->radius;
-    out_.hits.push_back(hit_by(incoming_, norm(incoming_.heading), ball, at, reach, bounces_));
+    out_.path.hits.push_back(hit_by(incoming_, norm(incoming_.heading), ball, at, reach, bounces_));
   }
 
   template <class Sim>
@@ -146,9 +139,7 @@ class SetGoing {
     if (bounces_ == asked_.max) return fail(FailureReason::extra_cushion, e.contact);
     if (!check_.accepts(bounces_, e)) return fail(FailureReason::wrong_cushion, e.contact);
     ++bounces_;
-    if (!carom_) return out_.then.back().cushions.push_back(e.contact), false;
-    out_.bounces = bounces_;
-    if (contacts_) contacts_->push_back(e.contact);
+    (carom_ ? out_.path.cushions : out_.path.then.back().cushions).push_back(e.contact);
     return false;
   }
 
@@ -168,7 +159,7 @@ class SetGoing {
       const double miss = norm(there.at - aim_point.at);
       if (miss < out_.miss) {
         out_.miss = miss;
-        out_.arrival = {begin_ + began + arc.seconds(t), norm(there.velocity), there.at};
+        out_.path.arrival = {begin_ + began + arc.seconds(t), norm(there.velocity), there.at};
       }
       near_end_ = miss <= aim_point.reach && !(t < travelled);
       if (miss <= aim_point.reach && t < travelled) return out_.made = true;
@@ -184,38 +175,23 @@ class SetGoing {
     if (!aim_point || !goal_.allows(request_, *aim_point)) return fail(FailureReason::pocketed, pocket);
     out_.made = true;
     if (chain_.balls.size() == 1 && sim.in_play(0)) out_.cue = sim.state_now(0);
-    out_.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
+    out_.path.arrival = {begin_ + sim.time(), norm(now.velocity), now.at};
     measure(request_, *aim_point, jaw_ ? *jaw_ : norm(now.velocity) > 0 ? Line{now.at, now.velocity} : incoming_, out_);
     return true;
-  }
-
-  template <class Sim>
-  void touch_jaw(Contact jaw, const Sim& sim) {
-    const auto of_jaws = [&](const AimPoint& aim_point) {
-      return aim_point.taken_by == Contact::pocket(jaw.jaw_pocket());
-    };
-    if (!jaw_ && std::ranges::any_of(request_.problem->aim_points, of_jaws))
-      jaw_ = Line{sim.state(on_its_way()).at, incoming_.heading};
-    out_.touches_jaws = true;
-    ++out_.jaws;
   }
 
   template <class Sim>
   bool rests(const Sim& sim) {
     const Vec2d at = sim.state(on_its_way()).at;
     if (!request_.stop || !all_set() || !counts()) return fail(FailureReason::fell_short);
-    const AimPoint& aim_point = request_.problem->nearest_aim_point(at, number());
-    out_.miss = norm(at - aim_point.at);
-    out_.arrival = {begin_ + sim.time(), 0, at};
-    out_.made = out_.miss <= aim_point.reach;
-    if (!out_.made) out_.failure = {FailureReason::missed};
+    rested(request_, number(), at, begin_ + sim.time(), out_);
     return true;
   }
 
   bool fail(FailureReason reason, Contact contact = {}) {
     if (!(out_.miss < std::numeric_limits<double>::infinity())) {
       out_.miss = norm(last_ - request_.problem->nearest_aim_point(last_, number()).at);
-      out_.arrival = {begin_, 0, last_};
+      out_.path.arrival = {begin_, 0, last_};
     }
     out_.failure = {reason, contact};
     return true;
@@ -230,7 +206,6 @@ class SetGoing {
   Goal::Bounces asked_;  ///< of the ball that is on its way
   int bounces_;
   SequenceCheck check_;
-  std::vector<Contact>* contacts_;
   Replay& out_;
   std::size_t set_ = 0;    ///< number of balls in the chain that were touched
   double begin_ = 0;       ///< s after the launch: time 0 of the simulation

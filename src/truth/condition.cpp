@@ -88,8 +88,8 @@ Condition condition(const Run& run) {
   const double R = run.boundary.body.radius, extent = run.boundary.extent;
   Condition c;
   std::vector<Step> steps;
-  std::vector<double> scales{speed_scale(lift<Dual>(run.start), R)};
-  follow<Dual>(run, seeded(lift<Dual>(run.start)), [&](const Event& e, auto& sim) {
+  std::vector<double> scales{speed_scale(to<Dual>(run.start), R)};
+  follow<Dual>(run, seeded(to<Dual>(run.start)), [&](const Event& e, auto& sim) {
     c.events.push_back({e.kind, e.contact});
     steps.push_back(jacobian_of(sim.state()));
     scales.push_back(speed_scale(sim.before(), R));

@@ -16,15 +16,10 @@ template <class T>
 requires requires(const T& x) { x.template convert_to<double>(); }
 double rounded(const T& x) { return x.template convert_to<double>(); }
 
-template <class T>
-State<T> lift(const State<double>& s) {
-  return {to<T>(s.at), to<T>(s.velocity), {T(s.spin.x), T(s.spin.y), T(s.spin.z)}};
-}
-
 /// Returns the run's start in T, turned and pushed.
 template <class T>
 State<T> start_of(const Run& run) {
-  State<T> s = lift<T>(run.start);
+  State<T> s = to<T>(run.start);
   if (run.turned == 0 && run.pushed == 0) return s;
   const T turn(run.turned), grow = T(1) + T(run.pushed);
   const auto change = [&](T& x, T& y) {

@@ -16,7 +16,7 @@ template <class T>
 std::vector<BallTruth> run(const ShotRequest& request, std::size_t most, double turned) {
   const Starts starts(request);
   std::vector<BallStart<T>> balls;
-  for (const BallStart<double>& b : starts.balls()) balls.push_back({b.boundary, lift<T>(b.state)});
+  for (const BallStart<double>& b : starts.balls()) balls.push_back({b.boundary, to<T>(b.state)});
   const T turn(turned);
   const auto rotate = [&](T& x, T& y) {
     const T before = x;
@@ -65,7 +65,7 @@ template <class T>
 Path run_all(const Run& run) {
   const Starts starts(*run.all);
   std::vector<BallStart<T>> balls;
-  for (const BallStart<double>& b : starts.balls()) balls.push_back({b.boundary, lift<T>(b.state)});
+  for (const BallStart<double>& b : starts.balls()) balls.push_back({b.boundary, to<T>(b.state)});
   balls.front().state = start_of<T>(run);
   return with_physics(run.physics, [&](const auto& motion, const auto& cushion) {
     ManyBalls sim(std::span<const BallStart<T>>(balls), motion, cushion, collisions(run.physics));

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "planners/evaluate/all_errors.hpp"
+#include "planners/evaluate/success.hpp"
 #include "support/catch.hpp"
 #include "support/proved.hpp"
 #include "support/straight.hpp"

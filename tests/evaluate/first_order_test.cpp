@@ -29,10 +29,9 @@ double below(double z) { return std::erfc(-z / std::sqrt(2.0)) / 2; }
 /// Returns the exact launch of a bank near a launch.
 Launch root_of(const SearchRequest& request, const Launch& near) {
   EvaluationBudget budget(1000);
-  const NewtonResult root =
-      newton({request, *request.route, request.problem->aim_points[0]}, budget, near, settings::wide);
+  const auto root = newton({request, *request.route, request.problem->aim_points[0]}, budget, near, settings::wide);
   REQUIRE(root);
-  return root.launch;
+  return *root;
 }
 
 /// Compares the derivatives of a shot with central differences of an arrival [m].

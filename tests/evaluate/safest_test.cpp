@@ -71,7 +71,7 @@ TEST_CASE("the best of an outcome map has the largest value, wherever in the mad
   const SearchRequest request(p);
   EvaluationBudget budget(100000);
   const Shot shot = shot_of(request, {speed, aim < 0 ? radians(360) + aim : aim});
-  const auto best = OutcomeMap(request, budget, shot).best(-1);
+  const auto best = likely_launches(request, budget, shot, -1);
   REQUIRE(!best.empty());
   CHECK(std::ranges::is_sorted(best, std::greater(), [](const auto& b) { return std::round(b.value * 1e4); }));
   // The middle of the made aims is likeliest; 0.9 m ahead the ball is at the target's edge.
@@ -79,7 +79,7 @@ TEST_CASE("the best of an outcome map has the largest value, wherever in the mad
   CHECK(angle_difference(middle, best[0].launch.angle) == Approx(0).margin(0.2 * error));
   CHECK(best[0].value == Approx(largest_value(least)).margin(0.012));
   CHECK(budget.simulations() < 2000);
-  CHECK(OutcomeMap(request, budget, shot).best(1).empty());
+  CHECK(likely_launches(request, budget, shot, 1).empty());
 }
 
 TEST_CASE("among fast launches the slowest is worth most, less the cost of its speed") {
@@ -89,7 +89,7 @@ TEST_CASE("among fast launches the slowest is worth most, less the cost of its s
   const SearchRequest request(p);
   EvaluationBudget budget(100000);
   const Shot shot = shot_of(request, {9.5, 0.05});
-  const auto best = OutcomeMap(request, budget, shot).best(-1);
+  const auto best = likely_launches(request, budget, shot, -1);
   REQUIRE(!best.empty());
   CHECK(best[0].launch.speed == Approx(8).epsilon(0.01));
   CHECK(best[0].value == Approx(made((std::asin(0.1) - 0.04) / 2) - 0.004 * 8).margin(0.01));
@@ -100,7 +100,7 @@ TEST_CASE("a mirrored shot leads to the mirror image of the safest launch") {
   const SearchRequest request(p), other(q);
   EvaluationBudget budget(100000);
   const Shot shot = shot_of(request, {1.2, 0.05}), image = shot_of(other, {1.2, radians(360) - 0.05});
-  const auto best = OutcomeMap(request, budget, shot).best(-1), seen = OutcomeMap(other, budget, image).best(-1);
+  const auto best = likely_launches(request, budget, shot, -1), seen = likely_launches(other, budget, image, -1);
   REQUIRE((!best.empty() && !seen.empty()));
   CHECK(seen[0].launch.speed == Approx(best[0].launch.speed).epsilon(1e-9));
   CHECK(angle_difference(0, seen[0].launch.angle) == Approx(-angle_difference(0, best[0].launch.angle)).margin(1e-9));

@@ -4,7 +4,6 @@
 // samples, residuals and their derivatives, launches, what observations tell, predictions, and a player's errors.
 #include <Eigen/Core>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -15,7 +14,6 @@
 #include "planners/learn/learn.hpp"
 #include "planners/learn/least_squares.hpp"
 #include "planners/learn/outliers.hpp"
-#include "planners/learn/parallel.hpp"
 #include "planners/learn/player.hpp"
 #include "planners/learn/predict.hpp"
 #include "planners/learn/seen.hpp"
@@ -65,15 +63,6 @@ TEST_CASE("the median is the middle value, the upper one of two") {
   CHECK(median({7}) == 7);
   CHECK(median({3, 1, 2}) == 2);
   CHECK(median({4, 1, 3, 2}) == 3);
-}
-
-TEST_CASE("each index is taken once, by any number of threads") {
-  for (const int threads : {1, 3}) {
-    std::vector<std::atomic<int>> taken(1000);
-    for_each_index(taken.size(), threads, [&](std::size_t i) { ++taken[i]; });
-    CHECK(std::ranges::all_of(taken, [](const auto& n) { return n == 1; }));
-    for_each_index(0, threads, [](std::size_t) { FAIL("there is no index"); });
-  }
 }
 
 TEST_CASE("a path along the contacts of a simulated shot is that shot") {

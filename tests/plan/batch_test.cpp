@@ -3,6 +3,11 @@
 // The C++ call for many puzzles gives the answers of `solve`, in order, for any number of threads.
 #include "bankshot/plan/batch.hpp"
 
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+
+#include "planners/in_parallel.hpp"
 #include "support/catch.hpp"
 #include "support/random_puzzle.hpp"
 
@@ -47,6 +52,19 @@ TEST_CASE("solve_batch answers no puzzles with no answers and an unknown planner
   CHECK(solve_batch({}).empty());
   const std::vector<Answer> answers = solve_batch(some_puzzles(), {.solve = {.planner = "none"}, .threads = 2});
   for (const Answer& a : answers) CHECK(a.status == Status::invalid);
+}
+
+TEST_CASE("each index is taken once, by any number of threads") {
+  for (const int threads : {0, 1, 3}) {
+    std::vector<std::atomic<int>> taken(1000);
+    planning::for_each_index(taken.size(), threads, [&](std::size_t i) { ++taken[i]; });
+    CHECK(std::ranges::all_of(taken, [](const auto& n) { return n == 1; }));
+    planning::for_each_index(0, threads, [](std::size_t) { FAIL("there is no index"); });
+    const auto fail = [](std::size_t i) {
+      if (i == 500) throw std::runtime_error("one index fails");
+    };
+    CHECK_THROWS_AS(planning::for_each_index(taken.size(), threads, fail), std::runtime_error);
+  }
 }
 
 TEST_CASE("the costs that solve measures are parts of its time") {

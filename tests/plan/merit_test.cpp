@@ -165,7 +165,7 @@ TEST_CASE("a nearest miss is no farther than a scan of 1,000 launches, and has a
       const planning::FailureReason reason = r.failure.reason;
       const bool asked =
           r.made || reason == planning::FailureReason::missed || reason == planning::FailureReason::fell_short;
-      if (asked && r.bounces >= goal.min) least = std::min(least, r.miss);
+      if (asked && r.bounces() >= goal.min) least = std::min(least, r.miss);
     }
     if (least < 1e300) {
       CHECK(a.nearest->shot.verification.miss <= least);

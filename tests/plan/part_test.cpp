@@ -23,11 +23,11 @@ TEST_CASE("a launch makes its shot where its clearance is positive, and drops no
     const test::Made m = test::random_puzzle(random, family, test::Model::spin);
     const SearchRequest request(m.puzzle);
     EvaluationBudget budget(budget_of(m.puzzle));
-    std::vector<Contact> contacts;
-    const Replay exact = replay(request, budget, m.launch, Goal::exactly(request, m.bounces), &contacts);
+    const Replay exact = replay(request, budget, m.launch, Goal::exactly(request, m.bounces));
     if (!exact.made || !request.problem->touched.empty()) continue;  // a touched cushion may come first
+    const std::vector<Contact>& contacts = exact.path.cushions;
     const Route route = route_by(contacts);
-    const Branch aim{request, route, request.problem->nearest_aim_point(exact.arrival.at)};
+    const Branch aim{request, route, request.problem->nearest_aim_point(exact.path.arrival.at)};
     for (int k = 0; k < 20; ++k) {
       const Launch launch{m.launch.speed * random.uniform(0.97, 1.03), m.launch.angle + random.uniform(-0.05, 0.05)};
       const auto room = clearance(aim, budget, launch);

@@ -175,12 +175,12 @@ TEST_CASE("roots to start from may lie outside the bounds") {
 
 TEST_CASE("failures are counted by reason and obstacle, with the speed nearest to the bound") {
   SearchResult found;
-  found.remember({{1, 0.1}, 0, 0.3, {FailureReason::too_fast, {}, 7}});
-  found.remember({{1, 0.2}, 0, 0.1, {FailureReason::too_fast, {}, 5}});
-  found.remember({{1, 0.3}, 0, 0.2, {FailureReason::too_slow, {}, 0.1}});
-  found.remember({{1, 0.4}, 0, 0.4, {FailureReason::too_slow, {}, 0.3}});
-  found.remember({{1, 0.5}, 0, 0.5, {FailureReason::hit_ball, Contact::ball(1)}});
-  found.remember({{1, 0.6}, 0, 0.6, {FailureReason::hit_ball, Contact::ball(2)}});
+  found.remember({{1, 0.1}, 0.3, {FailureReason::too_fast, {}, 7}});
+  found.remember({{1, 0.2}, 0.1, {FailureReason::too_fast, {}, 5}});
+  found.remember({{1, 0.3}, 0.2, {FailureReason::too_slow, {}, 0.1}});
+  found.remember({{1, 0.4}, 0.4, {FailureReason::too_slow, {}, 0.3}});
+  found.remember({{1, 0.5}, 0.5, {FailureReason::hit_ball, Contact::ball(1)}});
+  found.remember({{1, 0.6}, 0.6, {FailureReason::hit_ball, Contact::ball(2)}});
   REQUIRE(found.failures.size() == 4);
   CHECK((found.failures[0].times == 2 && found.failures[0].failure.speed == 5));
   CHECK((found.failures[1].times == 2 && found.failures[1].failure.speed == 0.3));
@@ -198,7 +198,7 @@ TEST_CASE("a launch begins at the ball, and its derivatives are those of a turn 
   CHECK(s.at == p.ball.at);
   CHECK(norm(s.velocity - direction(0.7) * 2.0) < 1e-15);
   CHECK(norm(start_of(request, 0.7, 2.0).velocity - s.velocity) < 1e-15);
-  const auto dual = dual_start<Dual<2>, 2>(request, launch);
+  const auto dual = dual_start<Dual<2>, 2>(request, launch, request.spin);
   const double h = 1e-6;
   const State<double> turned = start_of(request, 0.7 + h, 2.0), faster = start_of(request, 0.7, 2.0 * (1 + h));
   CHECK(dual.velocity.x.v[0] == Approx((turned.velocity.x - s.velocity.x) / h).epsilon(1e-5));

@@ -2,6 +2,7 @@
 //
 // The parts of a search: evaluations, the targets of a puzzle, searches in one dimension, Newton's method.
 #include <cmath>
+#include <limits>
 
 #include "bankshot/geometry/aim_point.hpp"
 #include "bankshot/plan/planner.hpp"
@@ -101,7 +102,7 @@ TEST_CASE("golden sections climb to a maximum between three points") {
   CHECK(asked < 40);
 }
 
-TEST_CASE("Newton's method says how it ended") {
+TEST_CASE("Newton's method returns a root of its neighbourhood, or none") {
   Puzzle p{.table = rectangle_table(2, 1), .physics = spin_physics(), .ball = {.at = {0.5, 0.5}}};
   p.target = PointTarget{{1.5, 0.3}};
   const SearchRequest request(p);
@@ -109,15 +110,26 @@ TEST_CASE("Newton's method says how it ended") {
   const Branch aim{request, route, request.problem->aim_points[0]};
   const Launch near{1.2, radians(-40)};
   EvaluationBudget budget(1000);
-  const NewtonResult found = newton(aim, budget, near, settings::wide);
+  const auto found = newton(aim, budget, near, settings::wide);
   REQUIRE(found);
-  CHECK(found.iterations < 12);
-  CHECK(budget.simulations() >= found.iterations);
-  CHECK(linearise(aim, budget, found.launch)->size() < 1e-12);
-  CHECK(newton(aim, budget, near, Neighbourhood{1e-3, 1e-3}).status == NewtonStatus::left);
-  CHECK(newton(aim, budget, {1.2, radians(90)}, settings::wide).status != NewtonStatus::converged);
+  CHECK(budget.simulations() < 24);
+  CHECK(linearise(aim, budget, *found)->size() < 1e-12);
+  CHECK(!newton(aim, budget, near, Neighbourhood{1e-3, 1e-3}));  // the root lies outside
+  CHECK(!newton(aim, budget, {1.2, radians(90)}, settings::wide));
   const auto known = [](const Launch&, double, const Linear&) { return true; };
-  CHECK(newton(aim, budget, near, settings::wide, known).status == NewtonStatus::known);
+  CHECK(!newton(aim, budget, near, settings::wide, known));
+}
+
+TEST_CASE("a step is as long as its longer part in longest steps, and infinite if a part is not finite") {
+  constexpr double infinite = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+  constexpr Neighbourhood near{0.1, 0.5};
+  CHECK(size_of({0.2, -0.5}, near) == Approx(2));
+  CHECK(size_of({-0.1, 2}, near) == Approx(4));
+  CHECK(size_of({0.1, 0}, near) == Approx(1));
+  for (const double bad : {infinite, -infinite, none}) {
+    CHECK(size_of({bad, 0.5}, near) == infinite);
+    CHECK(size_of({0.1, bad}, near) == infinite);
+  }
 }
 
 TEST_CASE("residuals have the derivatives that differences show") {
@@ -127,9 +139,9 @@ TEST_CASE("residuals have the derivatives that differences show") {
     const test::Made made = test::random_puzzle(random, test::Family::uniform, test::Model::spin);
     const SearchRequest request(made.puzzle);
     EvaluationBudget budget(100);
-    std::vector<Contact> contacts;
-    if (!replay(request, budget, made.launch, Goal::exactly(request, made.bounces), &contacts).made) continue;
-    const Route route = route_by(contacts);
+    const Replay exact = replay(request, budget, made.launch, Goal::exactly(request, made.bounces));
+    if (!exact.made) continue;
+    const Route route = route_by(exact.path.cushions);
     const Branch aim{request, route, request.problem->aim_points[0]};
     constexpr double h = 1e-6;
     const auto at = linearise(aim, budget, made.launch);

@@ -29,23 +29,23 @@ TEST_CASE("two pots: the chance of the next, times that of the one after it") {
   const Puzzle p = three_balls();
   const SearchRequest request(p);
   EvaluationBudget budget(std::numeric_limits<long>::max());
-  const TwoPots two(request);
   const NextPot next(p);
   const PottingOrder order{{2}, {3}};
+  const auto two = [&](const Ending& ending) { return two_pots(request, budget, next, order, ending); };
   const Ending both{.places = {Vec2d{1.9, 0.8}, std::nullopt, Vec2d{2.2, 1.0}, Vec2d{2.25, 0.25}}};
-  const double first = next.best(order, both.places).chance, value = two(order, both, budget);
+  const double first = next.best(order, both.places).chance, value = two(both);
   CHECK(value > 0.5);
   CHECK(value <= first);
   CHECK(budget.simulations() > 0);
   // The ball after the next one is behind another that stays.
   Ending hidden = both;
   hidden.places[1] = Vec2d{2.4, 0.12};
-  CHECK(two(order, hidden, budget) < value);
+  CHECK(two(hidden) < value);
   // Without a ball after the next one, and without any ball.
   const Ending last{.places = {Vec2d{1.9, 0.8}, std::nullopt, Vec2d{2.2, 1.0}, std::nullopt}};
-  CHECK(two(order, last, budget) == Approx(first));
+  CHECK(two(last) == Approx(first));
   const Ending none{.places = {Vec2d{1.9, 0.8}, Vec2d{1.3, 0.9}, std::nullopt, std::nullopt}};
-  CHECK(two(order, none, budget) == 1);
+  CHECK(two(none) == 1);
 }
 
 TEST_CASE("play_on: a shot from where balls rest is the one that the simulator plays there") {

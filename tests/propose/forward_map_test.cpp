@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planners/propose/proposers.hpp"
 #include "support/catch.hpp"
 #include "support/straight.hpp"
 
@@ -44,7 +45,7 @@ SearchResult mapped(const Puzzle& p, Wanted wanted) {
   const SearchRequest request(p, wanted);
   EvaluationBudget budget(100000);
   SearchResult found;
-  ForwardMap(request, budget, found, settings::forward_map::usual).run();
+  propose::partition(request, budget, found, settings::forward_map::usual);
   return found;
 }
 

@@ -34,7 +34,7 @@ TEST_CASE("the legs of a last ball are the mirror images of its pocket, with its
   const SearchRequest request(p);
   const Objects::Chain& chain = request.problem->objects->chains.front();
   EvaluationBudget budget(10000);
-  const std::vector<propose::Leg> found = legs(request, budget, chain, stretched_images);
+  const std::vector<propose::Leg> found = legs(request, budget, chain);
   const Vec2d from = p.others[1].at, well = p.table.pockets[0].at;
   const double R = p.ball.body.radius;
   std::vector<Vec2d> images{well};
@@ -64,11 +64,10 @@ TEST_CASE("legs that are known are left out") {
   const SearchRequest request(p);
   const Objects::Chain& chain = request.problem->objects->chains.front();
   EvaluationBudget budget(100000);
-  const std::vector<propose::Leg> all = legs(request, budget, chain, stretched_images);
+  const std::vector<propose::Leg> all = legs(request, budget, chain);
   REQUIRE(all.size() > 1);
   for (const propose::Leg& known : all)
-    for (const propose::Leg& left : legs(request, budget, chain, stretched_images, {known.alone}))
-      CHECK(left.route != known.route);
+    for (const propose::Leg& left : legs(request, budget, chain, {known.alone})) CHECK(left.route != known.route);
 }
 
 TEST_CASE("a hit is straight for one object ball without cushions and massé") {

@@ -68,13 +68,12 @@ TEST_CASE("a part that goes to a place is moved from place to place, and a copy 
   SearchRequest whole(p);
   whole.spin = {.top = 0.5};
   ToPlace to(whole, before_last(whole, whole.problem->objects->chains.front()), {});
-  const SearchRequest first = to.at({2, 1.5});
+  const SearchRequest first = to.at({2, 1.5}, 0.25);
   CHECK_NOTHROW(validate(to.part().puzzle));
   const SearchRequest& second = to.at({3, 0.5}, 0.75);
   CHECK(first.problem->aim_points.front().at == Vec2d{2, 1.5});
   CHECK(second.problem->aim_points.front().at == Vec2d{3, 0.5});
-  CHECK(second.asked == 0.75);
-  CHECK(to.at({1, 1}).asked == first.asked);
+  CHECK((first.asked == 0.25 && second.asked == 0.75));
   CHECK((first.starts() && first.spin == whole.spin && !first.pinned));
-  CHECK(ToPlace(whole, by_itself(whole, {}), 1.5).at({1, 1}).fixed_speed() == 1.5);
+  CHECK(ToPlace(whole, by_itself(whole, {}), 1.5).at({1, 1}, 0.25).fixed_speed() == 1.5);
 }

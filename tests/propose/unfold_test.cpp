@@ -117,12 +117,11 @@ TEST_CASE("a ball that is aimed at an image passes its target after these bounce
   Unfolding images(request, {.keep_routes = true});
   for (const Image& image : all_of(images)) {
     EvaluationBudget budget(10);
-    std::vector<Contact> met;
-    const Trace t = trace(request, budget, image.angle, Goal::exactly(request, image.bounces), &met);
+    const Trace t = trace(request, budget, image.angle, Goal::exactly(request, image.bounces));
     REQUIRE(t.replay.made);
     CHECK(t.replay.miss < 1e-12);
-    CHECK(t.replay.arrival.time == Approx(image.distance).epsilon(1e-12));  // at unit speed
-    CHECK(route_by(met) == images.route(image));
+    CHECK(t.replay.path.arrival.time == Approx(image.distance).epsilon(1e-12));  // at unit speed
+    CHECK(route_by(t.replay.path.cushions) == images.route(image));
   }
 }
 

@@ -47,9 +47,8 @@ TEST_CASE("the largest clearance beside a candidate is that of geometry, and mak
   EvaluationBudget budget(10000);
   SearchResult found;
   Candidate candidate{{std::sqrt(0.25 + 2 * 0.01 * 9.81), 0}, {}, request.problem->aim_points[0]};
-  Widest widest(request, budget, found, candidate);
+  climb_clearance(request, budget, found, candidate);
   CHECK(candidate.half == Approx(within));  // a radian moves the pass by a metre
-  widest.find();
   const double most = largest_clearance(below, p.ball.body.radius);
   CHECK(candidate.room < most + 1e-6);
   CHECK(candidate.room > most - 0.15 * std::abs(most) - 1e-6);
@@ -71,7 +70,7 @@ TEST_CASE("a candidate that keeps its own half width is looked at no farther") {
   EvaluationBudget budget(10000);
   SearchResult found;
   Candidate narrow{{std::sqrt(0.25 + 2 * 0.01 * 9.81), 0}, {}, request.problem->aim_points[0], {}, 0.02};
-  Widest(request, budget, found, narrow).find();
+  climb_clearance(request, budget, found, narrow);
   CHECK(narrow.half == 0.02);
   CHECK(found.shots.empty());  // lines that clear the ball are turned by 0.06 rad
   CHECK(narrow.room == Approx(0.5 * std::sin(0.02) + (2 * R - 0.03) * std::cos(0.02) - 2 * R).epsilon(1e-3));

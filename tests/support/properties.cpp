@@ -68,7 +68,7 @@ std::string words(const Answered& a) {
   if (!a.solved()) return fmt::format("{}: {}", name(a.answer.status), a.answer.message);
   const Shot& s = a.best();
   return fmt::format("{:.4f} at {:.4f} m/s, {:.4f} degrees, {} contacts, success {:.4f}, by {}", a.value(),
-                     s.launch.speed, degrees(s.launch.angle), s.contacts(), a.success(), s.provenance.planner);
+                     s.launch.speed, degrees(s.launch.angle), s.path.contacts(), a.success(), s.provenance.planner);
 }
 
 /// Records by how much `worse` is worse than `better`; fails beyond `allowed`.

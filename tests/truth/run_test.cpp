@@ -236,6 +236,10 @@ TEST_CASE("long numbers are rounded to the nearest double") {
   CHECK(rounded(0.1) == 0.1);
   CHECK(rounded(Twice{0.1, 1e-30}) == 0.1);
   CHECK(rounded(Twice{1, 0.5}) == 1.5);
-  const State<double> s = lift<double>({{1, 2}, {3, 4}, {5, 6, 7}});
-  CHECK((s.at == Vec2d{1, 2} && s.velocity == Vec2d{3, 4} && s.spin.x == 5 && s.spin.y == 6 && s.spin.z == 7));
+}
+
+TEST_CASE("a state converts to another scalar") {
+  const State<long double> s = to<long double>(State<double>{{1, 2}, {3, 4}, {5, 6, 7}});
+  CHECK((s.at.x == 1 && s.at.y == 2 && s.velocity.x == 3 && s.velocity.y == 4));
+  CHECK((s.spin.x == 5 && s.spin.y == 6 && s.spin.z == 7));
 }

@@ -34,7 +34,7 @@ Replay sent(const Puzzle& p, double speed, const Vec2d& heading = {1, 0}) {
   Replay out;
   const Vec2d at = p.others[0].at - Vec2d{2 * p.ball.body.radius, 0};
   SetGoing going(request, std::get<Rolling>(p.physics.motion), std::get<Mirror>(p.physics.cushion), *chain, goal,
-                 {0, SequenceCheck(nullptr)}, nullptr, out);
+                 SequenceCheck(nullptr), out);
   going.run({at, heading * speed, {}}, 1.5);
   return out;
 }
@@ -49,14 +49,14 @@ TEST_CASE("an object ball that is hit full goes straight to its point") {
   const Replay r = sent(p, speed);
   REQUIRE(r.made);
   CHECK(r.miss < 1e-9);
-  CHECK(r.arrival.time == Approx(1.5 + leaves / a).epsilon(1e-9));
-  CHECK(norm(r.arrival.at - Vec2d{2 + distance, 1}) < 1e-9);
-  REQUIRE(r.hits.size() == 1);
-  CHECK(r.hits[0].ball == 1);
-  CHECK(r.hits[0].cut == Approx(0).margin(1e-12));
-  CHECK(r.hits[0].speed == Approx(speed));
-  REQUIRE(r.then.size() == 1);
-  CHECK(r.then[0].cushions.empty());
+  CHECK(r.path.arrival.time == Approx(1.5 + leaves / a).epsilon(1e-9));
+  CHECK(norm(r.path.arrival.at - Vec2d{2 + distance, 1}) < 1e-9);
+  REQUIRE(r.path.hits.size() == 1);
+  CHECK(r.path.hits[0].ball == 1);
+  CHECK(r.path.hits[0].cut == Approx(0).margin(1e-12));
+  CHECK(r.path.hits[0].speed == Approx(speed));
+  REQUIRE(r.path.then.size() == 1);
+  CHECK(r.path.then[0].cushions.empty());
 }
 
 TEST_CASE("a ball that stops short, or meets a cushion that is not asked, fails for that reason") {
@@ -83,20 +83,21 @@ TEST_CASE("the aftermath is the end of the whole shot as the simulator plays it"
   for (int i = 0; i < 100; ++i) {
     const Launch launch{r.uniform(0.5, 5), r.uniform(0, radians(360))};
     EvaluationBudget budget(10);
-    const Aftermath after = aftermath(request, budget, launch);
+    Shot shot{.launch = launch, .path = {.hits = {{}}}};
+    add_aftermath(request, budget, shot);
     CHECK(budget.simulations() >= 1);
     const Trajectory whole =
         simulate({.table = p.table, .physics = p.physics, .ball = p.ball, .others = p.others, .launch = launch});
     INFO("number " << i << " of seed 91");
-    REQUIRE(after.scratch_pocket.has_value() == (whole.end == EventKind::pocket));
-    if (after.scratch_pocket) {
+    REQUIRE(shot.path.scratch_pocket.has_value() == (whole.end == EventKind::pocket));
+    if (shot.path.scratch_pocket) {
       ++scratches;
       const auto fell = std::ranges::find_if(
           whole.events, [](const Record& e) { return e.kind == EventKind::pocket && e.ball == 0; });
-      REQUIRE(*after.scratch_pocket == fell->contact.index);
+      REQUIRE(*shot.path.scratch_pocket == fell->contact.index);
     } else {
-      REQUIRE(after.cue_rests);
-      REQUIRE(*after.cue_rests == end_of(whole, 0).state.at);
+      REQUIRE(shot.path.cue_rests);
+      REQUIRE(*shot.path.cue_rests == end_of(whole, 0).state.at);
     }
   }
   CHECK(scratches > 3);
@@ -115,7 +116,8 @@ TEST_CASE("a shot gets its aftermath if it hits a ball") {
   CHECK(shot.path.cue_rests);
   CHECK(!shot.path.scratch);
   p.target = PointTarget{{3, 1}, 0.01};
-  const Aftermath none = aftermath(SearchRequest(p), budget, {1, 0});
-  CHECK(!none.cue_rests);
-  CHECK(!none.scratch_pocket);
+  Shot other{.launch = {1, 0}, .path = {.hits = shot.path.hits}};
+  add_aftermath(SearchRequest(p), budget, other);
+  CHECK(!other.path.cue_rests);
+  CHECK(!other.path.scratch_pocket);
 }

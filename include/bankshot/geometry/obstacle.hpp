@@ -11,6 +11,7 @@
 // a bend when its centre is R + radius from the bend's centre, in a direction between the two normals.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -53,6 +54,15 @@ struct Obstacles {
 };
 
 Obstacles obstacles(const Table& table);
+
+/// Returns the squared distance [m²] from a point to the segment from `a` to `b`; comparing squares avoids a root.
+inline double square_to_segment(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
+  const Vec2d d = b - a;
+  const double length2 = dot(d, d);
+  const double s = length2 > 0 ? std::clamp(dot(p - a, d) / length2, 0.0, 1.0) : 0.0;
+  const Vec2d off = p - (a + d * s);
+  return dot(off, off);
+}
 
 /// Returns the corners of the table's inside, anticlockwise; round tips are cut short.
 std::vector<Vec2d> outline(const Table& table, const std::vector<JawPieces>& jaws);

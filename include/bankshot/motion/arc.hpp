@@ -44,6 +44,12 @@ State<Real<T>> value(const State<T>& s) {
   return {value(s.at), value(s.velocity), {value(s.spin.x), value(s.spin.y), value(s.spin.z)}};
 }
 
+/// Converts a state to another scalar.
+template <class T, class U>
+State<T> to(const State<U>& s) {
+  return {to<T>(s.at), to<T>(s.velocity), {T(s.spin.x), T(s.spin.y), T(s.spin.z)}};
+}
+
 /// Returns v² + (Rω)², with the part of the spin that moves the ball [m²/s²]. It is the scale for speeds that count as
 /// small.
 template <class T>

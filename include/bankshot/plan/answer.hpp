@@ -58,6 +58,15 @@ struct Answer {
     std::string path, reason;
   };
   std::optional<Error> error{};  ///< set if the status is `invalid`
+
+  /// Adds the simulations, times and work of another answer that led to this one.
+  void add_cost(const Answer& other) {
+    simulations += other.simulations;
+    time_us += other.time_us;
+    cost.certify_us += other.cost.certify_us;
+    cost.robustness_us += other.cost.robustness_us;
+    cost.work += other.cost.work;
+  }
 };
 
 /// Returns the answer to input that could not be read or breaks a rule.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Solves many puzzles in parallel. Threads take puzzles in small blocks, so that a hard one does not delay
+// Solves many puzzles in parallel. Threads take one puzzle at a time, so that a hard one does not delay
 // the others; they share one counter and nothing else. The answers are in the order of the puzzles and,
 // except for `time_us`, do not depend on the number of threads.
 #pragma once

@@ -61,6 +61,9 @@ struct ShotPath {
   bool scratch = false;                 ///< the cue ball falls into a pocket after it has touched the target ball
   std::optional<int> scratch_pocket{};  ///< the pocket of the scratch
   std::optional<Vec2d> cue_rests{};     ///< m; otherwise where the cue ball rests at the end; for shots with hits
+
+  /// Returns the number of contacts with cushions and jaws of all balls of the shot before the target.
+  int contacts() const;
 };
 
 /// The spread of the places in which the cue ball comes to rest in plays that make the target: the principal axes of
@@ -134,8 +137,6 @@ struct Shot {
 
   /// Returns the number of the ball that reaches the target; 0 is the cue ball.
   int arriving() const { return path.then.empty() ? 0 : path.then.back().ball; }
-  /// Returns the number of contacts with cushions and jaws of all balls of the shot before the target.
-  int contacts() const;
 };
 
 /// Returns the cost of a shot; its value is success minus this cost. The cost is 0.005 per contact, 0.004 per m/s of

@@ -11,15 +11,6 @@
 namespace bankshot {
 namespace {
 
-/// Returns the squared distance from a point to a segment [m²]. Squares are compared to avoid a root.
-double square_to_segment(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
-  const Vec2d d = b - a;
-  const double length2 = dot(d, d);
-  const double s = length2 > 0 ? std::clamp(dot(p - a, d) / length2, 0.0, 1.0) : 0.0;
-  const Vec2d off = p - (a + d * s);
-  return dot(off, off);
-}
-
 double distance_to_bend(const Vec2d& p, const Bend& b) {
   const Vec2d d = p - b.centre;
   if (dot(d, b.middle) >= norm(d) * std::cos(b.half)) return std::abs(norm(d) - b.radius);

@@ -12,10 +12,10 @@
 
 namespace bankshot {
 
-int Shot::contacts() const {
-  std::size_t cushions_met = path.cushions.size();
-  for (const ObjectBallPath& ball : path.then) cushions_met += ball.cushions.size();
-  return static_cast<int>(cushions_met) + path.jaws;
+int ShotPath::contacts() const {
+  std::size_t cushions_met = cushions.size();
+  for (const ObjectBallPath& ball : then) cushions_met += ball.cushions.size();
+  return static_cast<int>(cushions_met) + jaws;
 }
 
 double cost_of(const Launch& launch, const LaunchSpin& spin) {
@@ -25,7 +25,7 @@ double cost_of(const Launch& launch, const LaunchSpin& spin) {
 
 double cost_of_contacts(int contacts) { return 0.005 * contacts; }
 
-double cost_of(const Shot& shot) { return cost_of_contacts(shot.contacts()) + cost_of(shot.launch, shot.spin); }
+double cost_of(const Shot& shot) { return cost_of_contacts(shot.path.contacts()) + cost_of(shot.launch, shot.spin); }
 
 double fullness(const Puzzle& p, const Hit& hit, int by) {
   const auto other = [&](int ball) -> const Ball& { return p.others[static_cast<std::size_t>(ball) - 1]; };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bankshot/geometry/obstacle.hpp"
+
 namespace bankshot {
 
 // A ray from the point towards +x crosses the edges of a polygon an odd number of times if the point lies inside.
@@ -15,10 +17,7 @@ double distance_to(const LeaveRegion& region, const Vec2d& at) {
   for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
     const Vec2d &a = corners[i], &b = corners[j], edge = b - a;
     if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + edge.x * (at.y - a.y) / edge.y) inside = !inside;
-    const double length2 = dot(edge, edge);
-    const double share = length2 > 0 ? std::clamp(dot(at - a, edge) / length2, 0.0, 1.0) : 0;
-    const Vec2d off = at - (a + edge * share);
-    square = std::min(square, dot(off, off));
+    square = std::min(square, square_to_segment(at, a, b));
   }
   return inside ? 0 : std::sqrt(square);
 }

@@ -100,7 +100,8 @@ double time_to_length(const Trajectory& t, double metres) {
 Starts::Starts(const ShotRequest& r) {
   const auto add = [&](const Ball& ball, const State<double>& state) {
     const auto same = std::ranges::find(boundaries_, ball.body, &Boundary::body);
-    balls_.push_back({same != boundaries_.end() ? &*same : &boundaries_.emplace_back(r.table, ball.body), state});
+    const Boundary& boundary = same != boundaries_.end() ? *same : boundaries_.emplace_back(r.table, ball.body);
+    balls_.push_back({&boundary, state, static_cast<int>(balls_.size())});
   };
   add(r.ball, start_state(r));
   for (const Ball& other : r.others) add(other, {.at = other.at});

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-namespace bankshot::bindings {
+namespace bankshot::planning {
 
 /// Calls `work(begin, end)` for blocks of [0, count) until `stop`, on the given number of threads (0: one per core).
 /// This thread is one of them and calls `between()` after each of its blocks. An exception of either is rethrown once
@@ -50,4 +50,13 @@ void in_parallel(std::size_t count, std::size_t block, int threads, const std::a
   if (error) std::rethrow_exception(error);
 }
 
-}  // namespace bankshot::bindings
+/// Calls `f(i)` once for each i below `count`, on the given number of threads (0: one per core). An exception is
+/// rethrown once all threads are done.
+template <class F>
+void for_each_index(std::size_t count, int threads, const F& f) {
+  const std::atomic<bool> never{false};
+  const auto one = [&](std::size_t i, std::size_t) { f(i); };
+  in_parallel(count, 1, threads, never, one, [] {});
+}
+
+}  // namespace bankshot::planning
