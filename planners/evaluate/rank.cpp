@@ -153,9 +153,7 @@ void rank(const SearchRequest& request, std::vector<Shot>& shots) {
   order(request, shots);
 }
 
-void order_by_value(std::span<Shot> shots) {
-  std::ranges::stable_sort(shots, std::greater(), [](const Shot& shot) { return shot.robustness.value.value_or(-1); });
-}
+void order_by_value(std::span<Shot> shots) { std::ranges::stable_sort(shots, std::greater(), worth_of); }
 
 namespace {
 
@@ -225,15 +223,14 @@ auto moved_from(SearchResult& found, const Shot& shot) {
   });
 }
 
-/// Returns the value of a shot that was moved, and less than any if it was not.
-double moved_value(SearchResult& found, const Shot& shot) {
+/// Returns the worth of a shot that was moved, and less than any if it was not.
+double moved_worth(SearchResult& found, const Shot& shot) {
   const auto known = moved_from(found, shot);
-  return known == found.moved.end() || !known->shot ? -infinite : *known->shot->robustness.value;
+  return known == found.moved.end() || !known->shot ? -infinite : worth_of(*known->shot);
 }
 
-/// Moves shots that may be worth more than all others, at most `most` of them, the most promising first. Returns the
-/// worth of the best that was moved.
-double move_some(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::size_t most) {
+/// Moves shots that may be worth more than all others, at most `most` of them, the most promising first.
+void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::size_t most) {
   struct Candidate {
     double likely, at_most;
     const Shot* shot;
@@ -241,7 +238,7 @@ double move_some(const SearchRequest& request, EvaluationBudget& budget, SearchR
   std::vector<Candidate> candidates;
   double value = -1;
   for (const Shot& shot : found.shots) {
-    value = std::max(value, moved_value(found, shot));
+    value = std::max(value, moved_worth(found, shot));
     if (moved_from(found, shot) != found.moved.end()) continue;
     candidates.push_back(as_struck(request, shot, [&](const SearchRequest& own) {
       const double likely = likely_value(own, shot, budget.work());
@@ -251,16 +248,15 @@ double move_some(const SearchRequest& request, EvaluationBudget& budget, SearchR
   std::ranges::stable_sort(candidates, std::greater(), &Candidate::likely);
   for (const Candidate& c : candidates) {
     if (c.at_most <= value) continue;
-    if (most-- == 0) break;
+    if (most-- == 0) return;
     Shot shot = *c.shot;
     const bool hope =
         as_struck(request, shot, [&](const SearchRequest& own) { return make_safest(own, budget, shot, value); });
     found.moved.push_back({c.shot->launch, c.shot->spin, {}});
     if (!hope || !request.problem->keeps_cushions(shot)) continue;
-    value = std::max(value, *shot.robustness.value);
+    value = std::max(value, worth_of(shot));
     found.moved.back().shot = std::move(shot);
   }
-  return value;
 }
 
 }  // namespace
@@ -268,8 +264,13 @@ double move_some(const SearchRequest& request, EvaluationBudget& budget, SearchR
 double value_in_hand(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   if (request.puzzle().prefer != Prefer::robust || found.shots.empty()) return 0;
   EvaluationBudget aside(std::numeric_limits<long>::max(), budget);  // what shots are worth is no part of the search
-  if (request.valued && request.problem->safest() && !request.all())
-    return std::max(0.0, move_some(request, aside, found, 1));
+  double value = 0;
+  if (request.valued && request.problem->safest() && !request.all()) {
+    move_some(request, aside, found, 1);
+    for (const SearchResult::Moved& moved : found.moved)
+      if (moved.shot) value = std::max(value, *moved.shot->robustness.value);
+    return value;
+  }
   Shot* best = &found.shots.front();
   double most = -infinite;
   for (Shot& shot : found.shots) {
@@ -280,7 +281,6 @@ double value_in_hand(const SearchRequest& request, EvaluationBudget& budget, Sea
   if (!request.valued) return std::max(0.0, most);
   if (!best->robustness.value)
     as_struck(request, *best, [&](const SearchRequest& own) { find_success(own, aside, *best); });
-  double value = 0;
   for (const Shot& shot : found.shots) value = std::max(value, shot.robustness.value.value_or(0));
   return value;
 }
@@ -292,11 +292,11 @@ void move_best(const SearchRequest& request, EvaluationBudget& budget, SearchRes
   if (request.all()) return std::ranges::for_each(found.shots, move), void();
   if (request.puzzle().prefer != Prefer::robust) return move(found.shots.front());
   move_some(request, budget, found, found.shots.size());
-  Shot* best = &*std::ranges::max_element(found.shots, {}, [&](const Shot& s) { return moved_value(found, s); });
+  Shot* best = &*std::ranges::max_element(found.shots, {}, [&](const Shot& s) { return moved_worth(found, s); });
   // The map is an estimate, so an exact launch may be worth more.
-  if (const auto exact = best_above(request, budget, found.shots, moved_value(found, *best)))
+  if (const auto exact = best_above(request, budget, found.shots, moved_worth(found, *best)))
     best = &found.shots[*exact];
-  else if (moved_value(found, *best) > -infinite)
+  else if (moved_worth(found, *best) > -infinite)
     *best = *moved_from(found, *best)->shot;
   std::swap(*best, found.shots.front());
 }

@@ -35,6 +35,11 @@ std::optional<Shot> moved(const SearchRequest& request, EvaluationBudget& budget
 
 }  // namespace
 
+double worth_of(const Shot& shot) {
+  constexpr double scratch = 2;  // more than values differ by
+  return shot.robustness.value ? *shot.robustness.value - (shot.path.scratch ? scratch : 0) : -infinite;
+}
+
 bool make_safest(const SearchRequest& request, EvaluationBudget& budget, Shot& shot, double worth) {
   using namespace settings::outcome_map;
   const auto likely = likely_launches(request, budget, shot, worth);
@@ -42,15 +47,13 @@ bool make_safest(const SearchRequest& request, EvaluationBudget& budget, Shot& s
   std::optional<Shot> best;
   const std::size_t tried = request.all() ? 1 : most_tried;  // a list has many shots
   for (const auto& [launch, value] : std::span(likely).first(std::min(likely.size(), tried))) {
-    if (best && *best->robustness.value >= value) break;  // the others promise no more
+    if (best && worth_of(*best) >= value) break;  // the others promise no more
     auto there = moved(request, budget, shot, launch);
-    if (there && request.problem->keeps_cushions(*there) &&
-        (!best || *there->robustness.value > *best->robustness.value))
+    if (there && request.problem->keeps_cushions(*there) && (!best || worth_of(*there) > worth_of(*best)))
       best = std::move(there);
   }
   if (!shot.robustness.success) find_success(request, budget, shot);
-  if (best && (!request.problem->keeps_cushions(shot) || *best->robustness.value > *shot.robustness.value))
-    shot = std::move(*best);
+  if (best && (!request.problem->keeps_cushions(shot) || worth_of(*best) > worth_of(shot))) shot = std::move(*best);
   return true;
 }
 

@@ -8,7 +8,8 @@
 // exact line. From there Newton's method solves the whole chain for the arrival speed asked. Balls that fell without
 // such a root (rolling along a rail into a pocket, say) are brought to that speed as they are. Narrow windows exist at
 // few speeds, and other speeds do not show them. So where nothing is found the speeds between are followed too, down to
-// 1/64 of the range.
+// 1/64 of the range. Speeds that are followed at all are followed along all routes, since the first need not be the
+// best.
 // Cost: two simulations an aim, some 100 aims a speed, window and ball. Guarantee: none beyond verification; a route
 // narrower than the step of aims between two others is passed over.
 #include "bankshot/geometry/aim_point.hpp"
@@ -59,7 +60,8 @@ class ContactWindows {
       return look({request_.fixed_speed()});
     }
     if (coarse == 0) look({speed_at(0), speed_at(1)});
-    for (int parts = std::max(coarse, 1); parts < fine; parts *= 2) look(between(parts));
+    for (int parts = std::max(coarse, 1); parts < fine && !stop::one_found(request_, budget_, found_); parts *= 2)
+      look(between(parts));
   }
 
  private:
@@ -69,7 +71,7 @@ class ContactWindows {
   };
   using Track = std::vector<std::optional<Pass>>;
 
-  bool over() const { return stop::one_found(request_, budget_, found_); }
+  bool over() const { return stop::over(request_, budget_, found_); }
 
   /// Returns the launch speed at a share of the range, evenly in its logarithm.
   double speed_at(double share) const {

@@ -66,3 +66,14 @@ TEST_CASE("a carom that no bound allows says how it was searched") {
   CHECK(a.status == Status::no_shot);
   CHECK_THAT(a.message, Catch::Contains("aims across the first ball"));
 }
+
+TEST_CASE("the carom that is answered is the best of all, where the path is straight as well") {
+  const Puzzle p = read_puzzle(R"({"physics": "ideal", "speed": 1, "ball": {"at": [0.063, 0.127]},
+    "table": {"vertices": [[0.518, 0.066], [-0.166, 0.34], [-0.166, -0.34]]},
+    "others": [{"id": "1", "at": [-0.074, 0.102]}, {"id": "2", "at": [0.164, -0.095]}],
+    "target": {"carom": ["2", "1"]}})");
+  const Answer best = solve(p), all = solve(p, {.all = true});
+  REQUIRE(all.shots.size() > 1);
+  REQUIRE(best.status == Status::solved);
+  CHECK(*best.shots.front().robustness.value >= *all.shots.front().robustness.value - 1e-9);
+}

@@ -2,6 +2,8 @@
 //
 // Choices of the planner: a spin inside a range, a launch inside what counts as made. Also tests what an answer says
 // when there is nothing to choose.
+#include <algorithm>
+
 #include "bankshot/plan/planner.hpp"
 #include "bankshot/scene/json.hpp"
 #include "support/catch.hpp"
@@ -158,4 +160,17 @@ TEST_CASE("puzzles with friction that grows with speed are solved") {
   REQUIRE(a.status == Status::solved);
   CHECK_THAT(test::check_shot(p, a.shots[0]).problem, Catch::Equals(""));
   CHECK(a.shots[0].verification.miss < 1e-9);
+}
+
+TEST_CASE("a shot that scratches is chosen only where no other is found") {
+  const Puzzle p = read_puzzle(R"({"table": "pool-9ft", "physics": "ideal", "ball": {"at": [2.145, 0.591]},
+    "others": [{"id": "1", "at": [0.331, 0.36]}],
+    "target": {"ball": "1", "then": {"pocket": "bottom-right", "cushions": {"max": 1}}}})");
+  const Answer best = solve(p), all = solve(p, {.all = true});
+  REQUIRE(best.status == Status::solved);
+  const auto scratches = [](const Shot& shot) { return shot.path.scratch; };
+  CHECK(std::ranges::any_of(all.shots, scratches));
+  CHECK(!scratches(all.shots.front()));
+  CHECK(!scratches(best.shots.front()));
+  CHECK(*best.shots.front().robustness.value >= *all.shots.front().robustness.value - 1e-9);
 }

@@ -31,7 +31,8 @@ struct Answered {
   Answer answer;
   bool solved() const { return !answer.shots.empty(); }
   const Shot& best() const { return answer.shots.front(); }
-  double value() const { return value_of(answer); }
+  /// Returns the value by which its best shot ranks: a shot that scratches comes after all others.
+  double value() const { return value_of(answer) - (solved() && best().path.scratch ? 2 : 0); }
   double success() const {
     if (!solved()) return 0;
     return best().leave ? best().leave->success : best().robustness.success.value_or(0);
