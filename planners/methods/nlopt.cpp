@@ -166,7 +166,8 @@ class Planner {
     minimise(request_, opt.get(), angles_, start, x);
     if (!std::isfinite(objective.least)) return;
     const Replay r = replay(request_, budget_, objective.best, Goal::of(request_));
-    const auto root = refine(request_, budget_, objective.best, route_by(r.path.cushions));
+    const AimPoint& nearest = request_.problem->nearest_aim_point(r.path.arrival.at);
+    const auto root = solve_locked({request_, route_by(r.path.cushions), nearest}, budget_, objective.best);
     certify(request_, budget_, found_, root.value_or(objective.best), r.bounces(), step_);
   }
 

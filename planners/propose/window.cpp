@@ -9,6 +9,7 @@
 
 #include "planners/propose/aim.hpp"
 #include "planners/settings.hpp"
+#include "planners/solve/line_search.hpp"
 
 namespace bankshot::planning {
 namespace {
@@ -54,14 +55,10 @@ class Windows {
     return between(middle, b);
   }
 
-  /// Finds the end of the made window that begins at `made`, towards `limit`: steps grow while they stay inside.
+  /// Finds the end of the made window that begins at `made`, towards `limit`.
   double edge(double made, double limit) {
-    double step = (limit - made) / 2;
-    while (std::abs(made - limit) > settings::narrowest && std::abs(step) > settings::narrowest && !budget_.spent()) {
-      const bool fits = std::abs(step) < std::abs(limit - made) && attempt(made + step).replay.made;
-      if (fits) made += step;
-      step *= fits ? 2 : 0.5;
-    }
+    const auto wide = [&](double a, double b) { return std::abs(a - b) > settings::narrowest && !budget_.spent(); };
+    bisect(made, limit, wide, [&](double aim) { return attempt(aim).replay.made; });
     return made;
   }
 

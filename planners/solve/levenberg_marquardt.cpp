@@ -11,7 +11,6 @@
 #include <ceres/tiny_solver.h>
 
 #include <cmath>
-#include <limits>
 
 #include "bankshot/geometry/aim_point.hpp"
 #include "planners/settings.hpp"
@@ -65,19 +64,6 @@ std::optional<Launch> minimise(const Branch& aim, EvaluationBudget& budget, cons
 
 std::optional<Launch> solve_locked(const Branch& aim, EvaluationBudget& budget, const Launch& seed) {
   return aim.request.one_unknown() ? minimise<1>(aim, budget, seed) : minimise<2>(aim, budget, seed);
-}
-
-std::optional<Launch> refine(const SearchRequest& request, EvaluationBudget& budget, const Launch& seed,
-                             const Route& route) {
-  std::optional<Launch> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const AimPoint& aim_point : request.problem->aim_points) {
-    const auto x = solve_locked({request, route, aim_point}, budget, seed);
-    if (!x) continue;
-    const double moved = std::abs(angle_difference(x->angle, seed.angle));
-    if (moved < least) best = x, least = moved;
-  }
-  return best;
 }
 
 }  // namespace bankshot::planning

@@ -13,8 +13,4 @@ namespace bankshot::planning {
 /// Moves a launch near a root onto it; none where that does not converge.
 std::optional<Launch> solve_locked(const Branch& aim, EvaluationBudget& budget, const Launch& seed);
 
-/// Returns the root nearest in aim to the seed, over all aim points.
-std::optional<Launch> refine(const SearchRequest& request, EvaluationBudget& budget, const Launch& seed,
-                             const Route& route);
-
 }  // namespace bankshot::planning

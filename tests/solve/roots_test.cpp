@@ -70,24 +70,6 @@ TEST_CASE("no launch is solved along a route that leads nowhere, or without budg
   CHECK(!solve_locked(aim, budget, {1.9, radians(270)}));
 }
 
-TEST_CASE("of several aim points the one nearest in aim is refined") {
-  Puzzle p{.table = rectangle_table(3, 2), .physics = rolling_physics(), .ball = {.at = {0.5, 1}}};
-  p.table.pockets = {{"left", {2, 1.5}, 0.06}, {"right", {2, 0.4}, 0.06}};
-  p.target = PocketTarget{};
-  p.cushions = CushionRule::exactly(0);
-  const SearchRequest request(p);
-  EvaluationBudget budget(1000);
-  for (const auto& [aim, pocket] : {std::pair(0.2, 0), std::pair(-0.2, 1)}) {
-    const auto launch = refine(request, budget, {2, aim}, {});
-    REQUIRE(launch);
-    const Trajectory t = simulate({{}, p.table, p.physics, p.ball, {}, *launch, {}, {}});
-    CHECK(t.end == EventKind::pocket);
-    CHECK(std::ranges::count(t.events, Contact::pocket(pocket), &Record::contact) == 1);
-    const Vec2d way = p.table.pockets[static_cast<std::size_t>(pocket)].at - p.ball.at;
-    CHECK(angle_difference(launch->angle, std::atan2(way.y, way.x)) == Approx(0).margin(1e-9));
-  }
-}
-
 TEST_CASE("a node within reach leads to the root once, and a known root costs less") {
   const Puzzle p = test::straight();
   Search search(p);
