@@ -90,6 +90,8 @@ const std::vector<Case>& cases() {
        "/physics/rolling_friction/at_rest", "greater than 0"},
       {"spin of the ball", puzzle(R"({"ball": {"spin": {"top": 1}}})"), "/ball/spin", "needs the physics \"spin\""},
       {"overlapping balls", puzzle(R"({"others": [{"id": "8", "at": [0.61, 0.4]}]})"), "/others/0/at", "overlaps"},
+      {"unknown target", puzzle(R"({"target": {"pocket": null, "pot": "8"}})"), "/target",
+       "must have one of the keys \"point\", \"pocket\", \"ball\", \"carom\", \"game\""},
       {"ball target", puzzle(R"({"target": {"pocket": null, "ball": "8"}})"), "/target/ball", "there are no"},
       {"jaws", puzzle(R"({"table": {"length": 2, "width": 1, "jaws": true}})"), "/table/jaws",
        "needs the pockets \"six\", or a preset"},

@@ -40,6 +40,7 @@ TEST_CASE("every form of a leave is read and written") {
 TEST_CASE("a leave that cannot be is refused with its place") {
   CHECK(refused(puzzle("[1, 0.5]")) == "/leave");
   CHECK(refused(puzzle("{}")) == "/leave");
+  CHECK(refused(puzzle(R"({"next": "8"})")) == "/leave");
   CHECK(refused(puzzle(R"({"point": [9, 0.5]})")) == "/leave/point");
   CHECK(refused(puzzle(R"({"point": [1, 0.5], "within": 0})")) == "/leave/within");
   CHECK(refused(puzzle(R"({"polygon": [[1, 0.5], [1, 0.6]]})")) == "/leave/polygon");

@@ -123,8 +123,8 @@ void read_then(const Reader& r, const Table& table, const std::vector<Ball>& oth
     then.target = read_point(r);
     return;
   }
-  r.only(format::then_pocket);
   if (!r.find("pocket")) r.fail("must have one of the keys \"point\", \"pocket\", \"ball\"");
+  r.only(format::then_pocket);
   then.target = read_pocket(r, table);
 }
 
@@ -176,8 +176,8 @@ Target read_target(const Reader& r, const Table& table, const std::vector<Ball>&
     r.only(format::to_point);
     return read_point(r);
   }
-  r.only(format::to_pocket);
   if (!r.find("pocket")) r.fail("must have one of the keys \"point\", \"pocket\", \"ball\", \"carom\", \"game\"");
+  r.only(format::to_pocket);
   return read_pocket(r, table);
 }
 
@@ -258,8 +258,8 @@ Leave read_leave(const Reader& r, const std::vector<Ball>& others) {
     r.only(format::leave_safe);
     return LeaveSafe{read_balls(*v, others)};
   }
-  r.only(format::leave_place);
   if (!r.find("point")) r.fail("must have one of the keys \"point\", \"polygon\", \"for\", \"safe\", \"against\"");
+  r.only(format::leave_place);
   LeavePlace place{r.need("point").point()};
   r.read(format::leave_place["within"], place.within);
   return place;
