@@ -19,6 +19,7 @@
 #include <limits>
 
 #include "planners/evaluate/noise_scanlines.hpp"
+#include "planners/evaluate/plays.hpp"
 #include "planners/evaluate/room.hpp"
 #include "planners/evaluate/settings.hpp"
 #include "planners/verify/replay.hpp"

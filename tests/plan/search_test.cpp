@@ -121,7 +121,7 @@ TEST_CASE("Newton's method returns a root of its neighbourhood, or none") {
 }
 
 TEST_CASE("a step is as long as its longer part in longest steps, and infinite if a part is not finite") {
-  constexpr double infinite = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   constexpr Neighbourhood near{0.1, 0.5};
   CHECK(size_of({0.2, -0.5}, near) == Approx(2));
   CHECK(size_of({-0.1, 2}, near) == Approx(4));
