@@ -89,8 +89,9 @@ inline constexpr double uneven = 0.1;
 inline constexpr std::size_t most_rows = 64;
 /// Least deviation of the speed, as a share of it. It spaces the speeds of a player who makes no errors of speed.
 inline constexpr double least_deviation = 0.02;
-/// Aims tried across what is expected to be made, and the distance to either side of it, in deviations of the aim.
-inline constexpr int aims = 6;
+/// Least number of aims tried across what is expected to be made, and the distance to either side of it, in deviations
+/// of the aim. With 6 aims 9 of 600 shots are worth less by more than 0.005, and one is worth more.
+inline constexpr int aims = 9;
 inline constexpr double least_beside = 0.25, most_beside = 2;
 /// Deviations beyond which nothing counts, and the precision of edges and best launches. For edges it is a share of
 /// what is expected, if that is less.
