@@ -271,9 +271,18 @@ Checked check_shot(const Puzzle& p, const Shot& shot) {
       return {"is not pocketed as asked", 0};
     const Boundary boundary(p.table, p.ball.body);
     const Circle& rim = *boundary.rim(drop.contact);
-    const Vec2d v = drop.state.velocity;
-    speed = norm(v);
-    const double offset = cross(v, drop.state.at - rim.centre) / speed;
+    speed = norm(drop.state.velocity);
+    Vec2d at = drop.state.at, v = drop.state.velocity;
+    // A ball that falls by the jaws is judged by the line on which it meets the first of them.
+    const auto jaw = std::ranges::find_if(t.events, [&](const Record& e) {
+      return e.kind == EventKind::jaw && e.contact.jaw_pocket() == drop.contact.index;
+    });
+    if (jaw != t.events.end()) {
+      at = jaw->state.at;
+      for (const Leg& leg : t.legs)
+        if (leg.begin < jaw->time) v = state_on(request, leg, leg.duration).velocity;
+    }
+    const double offset = cross(v, at - rim.centre) / norm(v);
     miss = std::abs(offset - truth::exact_offset(boundary, rim, v, offset));
   }
   for (const Ball& other : p.others)

@@ -10,6 +10,7 @@
 
 #include "bankshot/motion/launched.hpp"
 #include "bankshot/numbers/random.hpp"
+#include "bankshot/scene/json.hpp"
 #include "bankshot/scene/table.hpp"
 #include "support/catch.hpp"
 
@@ -110,6 +111,25 @@ TEST_CASE("the target's nearest pass is noted on each arc, signed across the lin
   CHECK(p.speed == Approx(std::sqrt(1.5 * 1.5 - 2 * a * 0.7)));
   CHECK(p.time == Approx((1.5 - p.speed) / a));
   CHECK((p.velocity.x == p.speed && p.velocity.y == 0));
+}
+
+TEST_CASE("a ball that is pressed along a rail leaves its end by a pocket alike in 50 digits") {
+  const ShotRequest shot =
+      read_shot(R"({"table": "pool-9ft", "physics": {"model": "spin", "cushion": {"model": "han2005",
+    "restitution": 0.35327835243210687, "friction": 0, "height": 0.04390548486767159}},
+    "ball": {"at": [0.9678869742552196, 0.37969366707984],
+             "spin": {"top": 1.1994722715974957, "side": -0.49462577267366414, "masse": 0.9250464850537301}},
+    "shot": {"speed": 5.1315424785268, "angle": 143.68055467562007}})");
+  const Boundary boundary(shot.table, shot.ball.body);
+  const Run run{boundary, shot.physics, start_state(shot)};
+  const Path exact = run_truth(run), found = run_double(run);
+  REQUIRE((exact.ended && found.events.size() == exact.events.size()));
+  CHECK(exact.events.back().kind == EventKind::pocket);
+  for (std::size_t i = 0; i < found.events.size(); ++i) {
+    CHECK(found.events[i].contact == exact.events[i].contact);
+    CHECK(norm(found.events[i].state.at - exact.events[i].state.at) < 1e-12);
+    CHECK(found.events[i].time == Approx(exact.events[i].time).epsilon(1e-12));
+  }
 }
 
 TEST_CASE("a start is turned and pushed without rounding") {

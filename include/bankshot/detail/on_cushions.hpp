@@ -8,7 +8,8 @@
 //     motion stops. Its tangential motion and its slip go on until the acceleration points away (held.hpp). This is
 //     not a bounce; it ends the endless bouncing of a ball that returns slower each time. A ball that starts within
 //     Boundary::touch of a cushion is put on its line. A ball slower than tolerance::still of its launch after a bounce
-//     rests. Limitation: at a reflex vertex the ball goes on along the tangent, although friction might take it round.
+//     rests. A round tip holds it only if friction could take it round. Limitation: the ball then goes on along the
+//     tangent all the same, as it does at a reflex vertex.
 #pragma once
 
 #include <cmath>
@@ -114,19 +115,20 @@ class OnCushions {
     const Arc<N>& plain = value(arc);
     const Contact corner = corner_to_crawl_in(boundary, plain);
     const Contact at[] = {on_[0], corner ? corner : on_[1]};
-    const auto is_slow = [&](Contact contact) { return corner || rests_at(boundary, contact, plain); };
+    const auto is_slow = [&](Contact contact) {
+      return (corner || rests_at(boundary, contact, plain)) && !is_past_end(boundary, contact, plain.at);
+    };
     const bool slow[] = {is_slow(at[0]), is_slow(at[1])};
     if (!slow[0] && !slow[1]) return;
-    if (leaves_ends(boundary, plain.at)) return hold(boundary, arc);
     const Vec2<N> a = plain.acceleration;
     bool pressed = false;
     for (int k = 0; k < 2; ++k) {
       if (!slow[k]) continue;
       const Vec2<N> n = boundary.normal(at[k], plain.at);
-      const N into = dot(n, a);
+      const N into = dot(n, a) + curved_away(boundary, at[k], plain);
       if (!brings_back(into, dot(n, plain.velocity), plain.duration)) continue;
       pressed = true;
-      const Vec2<N> along{a.x - into * n.x, a.y - into * n.y};
+      const Vec2<N> along = a - n * dot(n, a);
       if (slow[1 - k] && dot(boundary.normal(at[1 - k], plain.at), along) < 0) continue;
       held_[k] = on_[k] = at[k];
       stop_along(n, arc.velocity);
@@ -139,21 +141,12 @@ class OnCushions {
   }
 
  private:
-  /// Releases the ball from a rail whose end at a pocket's jaws it has passed. Returns true if it did.
-  bool leaves_ends(const Boundary& boundary, const Vec2<N>& at) {
-    if (boundary.jaws.empty()) return false;
-    bool left = false;
-    for (Contact& c : on_) {
-      if (c.kind != ContactKind::rail) continue;
-      const Wall& w = *boundary.line(c);
-      const double along = static_cast<double>(dot(w.along, at));
-      if (boundary.break_at(w, along - boundary.touch) < 0 && boundary.break_at(w, along + boundary.touch) < 0)
-        continue;
-      c = {};
-      left = true;
-    }
-    if (!on_[0]) std::swap(on_[0], on_[1]);
-    return left;
+  /// Returns true if the ball has passed, or is just passing, the end of a rail at a pocket's jaws.
+  static bool is_past_end(const Boundary& boundary, Contact contact, const Vec2<N>& at) {
+    if (contact.kind != ContactKind::rail || boundary.jaws.empty()) return false;
+    const Wall& w = *boundary.line(contact);
+    const double along = static_cast<double>(dot(w.along, at));
+    return boundary.break_at(w, along - boundary.touch) >= 0 || boundary.break_at(w, along + boundary.touch) >= 0;
   }
 
   /// Returns true if the arc ends with a speed towards the cushion. Otherwise the ball is not pressed against it: the
@@ -182,6 +175,12 @@ class OnCushions {
     if (!contact) return false;
     const N speed = dot(boundary.normal(contact, arc.at), arc.velocity);
     return speed * speed <= resting2_;
+  }
+
+  /// Returns the acceleration [m/s²] with which a round contact recedes from a ball that goes on along its tangent.
+  static N curved_away(const Boundary& boundary, Contact contact, const Arc<N>& arc) {
+    const Circle* const rim = boundary.line(contact) ? nullptr : boundary.rim(contact);
+    return rim && rim->radius > 0 ? N(dot(arc.velocity, arc.velocity) / N(rim->radius)) : N(0);
   }
 
   template <class T>
