@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs work on many items on all cores; it can be cancelled.
+// Runs work on many items on several threads; it can be cancelled.
 #pragma once
 
 #include <algorithm>

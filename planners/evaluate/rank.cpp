@@ -229,8 +229,9 @@ double moved_worth(SearchResult& found, const Shot& shot) {
   return known == found.moved.end() || !known->shot ? -infinite : worth_of(*known->shot);
 }
 
-/// Moves shots that may be worth more than all others, at most `most` of them, the most promising first.
-void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::size_t most) {
+/// Moves shots that may be worth more than all others, at most `most` of them, the most promising first. Returns the
+/// worth of the best that was moved.
+double move_some(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, std::size_t most) {
   struct Candidate {
     double likely, at_most;
     const Shot* shot;
@@ -248,7 +249,7 @@ void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchRes
   std::ranges::stable_sort(candidates, std::greater(), &Candidate::likely);
   for (const Candidate& c : candidates) {
     if (c.at_most <= value) continue;
-    if (most-- == 0) return;
+    if (most-- == 0) break;
     Shot shot = *c.shot;
     const bool hope =
         as_struck(request, shot, [&](const SearchRequest& own) { return make_safest(own, budget, shot, value); });
@@ -257,6 +258,7 @@ void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchRes
     value = std::max(value, worth_of(shot));
     found.moved.back().shot = std::move(shot);
   }
+  return value;
 }
 
 }  // namespace
@@ -264,13 +266,8 @@ void move_some(const SearchRequest& request, EvaluationBudget& budget, SearchRes
 double value_in_hand(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found) {
   if (request.puzzle().prefer != Prefer::robust || found.shots.empty()) return 0;
   EvaluationBudget aside(std::numeric_limits<long>::max(), budget);  // what shots are worth is no part of the search
-  double value = 0;
-  if (request.valued && request.problem->safest() && !request.all()) {
-    move_some(request, aside, found, 1);
-    for (const SearchResult::Moved& moved : found.moved)
-      if (moved.shot) value = std::max(value, *moved.shot->robustness.value);
-    return value;
-  }
+  if (request.valued && request.problem->safest() && !request.all())
+    return std::max(0.0, move_some(request, aside, found, 1));
   Shot* best = &found.shots.front();
   double most = -infinite;
   for (Shot& shot : found.shots) {
@@ -281,7 +278,8 @@ double value_in_hand(const SearchRequest& request, EvaluationBudget& budget, Sea
   if (!request.valued) return std::max(0.0, most);
   if (!best->robustness.value)
     as_struck(request, *best, [&](const SearchRequest& own) { find_success(own, aside, *best); });
-  for (const Shot& shot : found.shots) value = std::max(value, shot.robustness.value.value_or(0));
+  double value = 0;
+  for (const Shot& shot : found.shots) value = std::max(value, worth_of(shot));
   return value;
 }
 

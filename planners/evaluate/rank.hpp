@@ -17,7 +17,7 @@ namespace bankshot::planning {
 /// value is known.
 double merit(const Puzzle& puzzle, const Shot& shot);
 
-/// Returns whether a shot comes before another one by `prefer`; the less likely to fall into a pocket comes first.
+/// Returns whether a shot comes before another one by `prefer`; one that scratches comes last.
 bool comes_before(const Puzzle& puzzle, const Shot& a, const Shot& b);
 
 /// Returns a bound on the success of a shot to an aim point with this success estimate, by settings::rank.
@@ -29,8 +29,8 @@ void rank(const SearchRequest& request, std::vector<Shot>& shots);
 /// Brings the shot with the largest value to the front. The value of shots that cannot be first is not computed.
 void best_first(const SearchRequest& request, EvaluationBudget& budget, std::vector<Shot>& shots);
 
-/// Returns the value of the best shot so far; 0 where values do not rank shots. It is computed once, for the shot that
-/// seems best to first order, which knows of no scratch.
+/// Returns the value of the best shot so far; 0 where values do not rank shots, or where it scratches. It is computed
+/// for the shot that seems best to first order. Where shots are moved, each call moves one more.
 double value_in_hand(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found);
 
 /// Moves shots to their safest launches (safest.hpp): all where all are wanted, else those that may then be first. The

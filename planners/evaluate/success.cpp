@@ -90,7 +90,7 @@ class Chance {
   std::size_t most() const { return scratches_ ? most_samples_of_balls : most_samples; }
   bool left() const { return !budget_.spent(); }
 
-  /// Simulates one pair of errors. If no simulation is left, it is not made.
+  /// Simulates one pair of errors. If no simulation is left, it counts as not made.
   bool made(NoiseScanline& line, double across) {
     const auto at = std::ranges::lower_bound(line.tries, across, {}, &NoiseScanline::Try::across);
     if (at != line.tries.end() && at->across == across) return at->made;

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "planners/methods/methods.hpp"
 #include "planners/methods/nlopt.hpp"
@@ -166,9 +167,13 @@ class Planner {
     minimise(request_, opt.get(), angles_, start, x);
     if (!std::isfinite(objective.least)) return;
     const Replay r = replay(request_, budget_, objective.best, Goal::of(request_));
-    const AimPoint& nearest = request_.problem->nearest_aim_point(r.path.arrival.at);
-    const auto root = solve_locked({request_, route_by(r.path.cushions), nearest}, budget_, objective.best);
-    certify(request_, budget_, found_, root.value_or(objective.best), r.bounces(), step_);
+    const Route route = route_by(r.path.cushions);
+    std::vector<Launch> launches;
+    for (const AimPoint& aim_point : request_.problem->aim_points)
+      if (const auto root = solve_locked({request_, route, aim_point}, budget_, objective.best))
+        launches.push_back(*root);
+    if (launches.empty()) launches.push_back(objective.best);
+    for (const Launch& launch : launches) certify(request_, budget_, found_, launch, r.bounces(), step_);
   }
 
   void run_locked(const Launch& start, const Branch& aim) {

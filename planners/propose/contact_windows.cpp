@@ -8,8 +8,8 @@
 // exact line. From there Newton's method solves the whole chain for the arrival speed asked. Balls that fell without
 // such a root (rolling along a rail into a pocket, say) are brought to that speed as they are. Narrow windows exist at
 // few speeds, and other speeds do not show them. So where nothing is found the speeds between are followed too, down to
-// 1/64 of the range. Speeds that are followed at all are followed along all routes, since the first need not be the
-// best.
+// 1/64 of the range. Speeds that are followed at all are followed along all routes that have roots, since the first
+// need not be the best.
 // Cost: two simulations an aim, some 100 aims a speed, window and ball. Guarantee: none beyond verification; a route
 // narrower than the step of aims between two others is passed over.
 #include "bankshot/geometry/aim_point.hpp"

@@ -26,7 +26,8 @@ void jaw_shots(const SearchRequest& request, EvaluationBudget& budget,
                SearchResult& found);  ///< by the jaws of a pocket
 /// The launches of each chain's last ball, by itself, that need no other search.
 using KnownLegs = std::map<const Objects::Chain*, std::vector<Candidate>>;
-/// Sets object balls going. It runs for one arrival speed after the other, and skips legs that are known.
+/// Sets object balls going. It runs for one arrival speed after the other. It skips legs that are known, and adds
+/// those that no other speed needs.
 void chains(const SearchRequest& request, EvaluationBudget& budget, SearchResult& found, KnownLegs& known);
 void caroms(const SearchRequest& request, EvaluationBudget& budget,
             SearchResult& found);  ///< off one ball onto another, followed forwards

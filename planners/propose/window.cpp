@@ -55,7 +55,7 @@ class Windows {
     return between(middle, b);
   }
 
-  /// Finds the end of the made window that begins at `made`, towards `limit`.
+  /// Finds an end of what is made, between `made` and `limit`.
   double edge(double made, double limit) {
     const auto wide = [&](double a, double b) { return std::abs(a - b) > settings::narrowest && !budget_.spent(); };
     bisect(made, limit, wide, [&](double aim) { return attempt(aim).replay.made; });

@@ -91,7 +91,7 @@ Eigen::MatrixXd BranchSearch::tangents(const Point& p) const {
   const Eigen::MatrixXd all = Eigen::HouseholderQR<Eigen::MatrixXd>(a).householderQ();
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(coordinates, n - m);
   for (Eigen::Index i = 0; i < n; ++i) out.row(free[static_cast<std::size_t>(i)]) = all.row(i).tail(n - m);
-  // Towards what a mirror does not turn round, so that a mirrored branch has the mirror images of these.
+  // Each tangent leads to more speed and top spin, which a mirror keeps. So a mirrored branch has mirrored tangents.
   for (auto tangent : out.colwise())
     if (tangent[log_speed] + tangent[top] < 0) tangent = -tangent;
   return out;

@@ -33,8 +33,8 @@ void follow_all(const SearchRequest& request, EvaluationBudget& budget, const Ba
   });
 }
 
-/// Returns the places of all balls when those that are left rest, or the cue ball, their first, falls. `see(event)`
-/// sees each event.
+/// Returns the places of all balls when those that are left rest, or the cue ball falls. It is the first of them.
+/// `see(event)` sees each event.
 template <class See>
 std::vector<std::optional<Vec2d>> places_after(const SearchRequest& request, EvaluationBudget& budget,
                                                const Balls& left, See&& see) {

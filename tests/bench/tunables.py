@@ -4,10 +4,10 @@
 
     python3 tests/bench/tunables.py [PUZZLES] [--only TEXT] [-j 2]
 
-PUZZLES are JSON Lines for `bankshot batch`; without them nearly 400 are made, of seeds for which nobody tuned. The program is built in build/tunables from copies of the planners'
-settings.hpp in which every number is read at the start: it is multiplied by what the variable BANKSHOT_TUNE says. The
-answers are then compared, puzzle by puzzle, with those of the program as it is. A number of which the compiler needs
-the value stays as it is, and is named on standard error.
+PUZZLES are JSON Lines for `bankshot batch`; without them some 450 are made, of seeds for which nobody tuned. The
+program is built in build/tunables from copies of the planners' settings.hpp in which every number is read at the start:
+it is multiplied by what the variable BANKSHOT_TUNE says. The answers are then compared, puzzle by puzzle, with those of
+the program as it is. A number of which the compiler needs the value stays as it is, and is named on standard error.
 """
 import argparse
 import concurrent.futures

@@ -174,3 +174,13 @@ TEST_CASE("a shot that scratches is chosen only where no other is found") {
   CHECK(!scratches(best.shots.front()));
   CHECK(*best.shots.front().robustness.value >= *all.shots.front().robustness.value - 1e-9);
 }
+
+TEST_CASE("a search does not end at a shot that scratches, where more cushions lead to one that does not") {
+  const Puzzle p = read_puzzle(R"({"table": "pool-9ft", "physics": "ideal", "ball": {"at": [1.655, 0.493]},
+    "others": [{"id": "1", "at": [2.166, 0.93]}], "cushions": {"max": 1},
+    "target": {"ball": "1", "then": {"pocket": "top-right", "cushions": {"max": 2}}}})");
+  const Answer best = solve(p), all = solve(p, {.all = true});
+  REQUIRE((best.status == Status::solved && all.status == Status::solved));
+  CHECK((!best.shots.front().path.scratch && !all.shots.front().path.scratch));
+  CHECK(*best.shots.front().robustness.value == Approx(*all.shots.front().robustness.value).margin(0.005));
+}

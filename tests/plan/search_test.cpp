@@ -114,7 +114,13 @@ TEST_CASE("Newton's method returns a root of its neighbourhood, or none") {
   REQUIRE(found);
   CHECK(budget.simulations() < 24);
   CHECK(linearise(aim, budget, *found)->size() < 1e-12);
-  CHECK(!newton(aim, budget, near, Neighbourhood{1e-3, 1e-3}));  // the root lies outside
+  for (const double steps : {2.9, 3.1}) {  // it goes three steps from its start, by aim or by speed
+    const Neighbourhood cell{0.01, 0.02};
+    const Launch turned{found->speed, found->angle + steps * cell.step_aim},
+        pushed{found->speed * std::exp(steps * cell.step_speed), found->angle};
+    CHECK(newton(aim, budget, turned, cell).has_value() == (steps < cell.far));
+    CHECK(newton(aim, budget, pushed, cell).has_value() == (steps < cell.far));
+  }
   CHECK(!newton(aim, budget, {1.2, radians(90)}, settings::wide));
   const auto known = [](const Launch&, double, const Linear&) { return true; };
   CHECK(!newton(aim, budget, near, settings::wide, known));

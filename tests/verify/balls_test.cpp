@@ -90,6 +90,7 @@ TEST_CASE("the aftermath is the end of the whole shot as the simulator plays it"
         simulate({.table = p.table, .physics = p.physics, .ball = p.ball, .others = p.others, .launch = launch});
     INFO("number " << i << " of seed 91");
     REQUIRE(shot.path.scratch_pocket.has_value() == (whole.end == EventKind::pocket));
+    REQUIRE(shot.path.scratch == shot.path.scratch_pocket.has_value());
     if (shot.path.scratch_pocket) {
       ++scratches;
       const auto fell = std::ranges::find_if(
