@@ -51,7 +51,7 @@ class Windows {
     if (b.replay.made) return b;
     if (a.like(b) || b.aim - a.aim < settings::narrowest || budget_.spent()) return {};
     const Tried middle = attempt(a.aim + (b.aim - a.aim) / 2);
-    if (const auto made = between(a, middle)) return made;
+    if (auto made = between(a, middle)) return made;
     return between(middle, b);
   }
 
